@@ -1,0 +1,1 @@
+//! Closed-form formulas in, specialised Rust out.

@@ -1,0 +1,2 @@
+//! Parametric instability of a rotor with an asymmetric disk and a transverse shaft crack.
+pub mod equations;
