@@ -1,2 +1,20 @@
-//! The command `rotor`.
-fn main() {}
+//! The command `rotor`: reports, tables and zero unstable points of asymmetric cracked rotors.
+
+use std::process::ExitCode;
+
+mod command_line;
+mod commands;
+mod evaluate;
+mod failure;
+mod figure;
+mod init;
+mod output;
+mod report;
+mod rotor_file;
+mod show;
+mod table;
+mod zup;
+
+fn main() -> ExitCode {
+    commands::run()
+}

@@ -1,0 +1,176 @@
+//! A piecewise polynomial as Rust source.
+
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote};
+
+use super::piecewise::PiecewisePolynomial;
+
+impl PiecewisePolynomial {
+    /// The function `fn name(x: f64) -> f64` with the same bits as
+    /// [`evaluate`](Self::evaluate).
+    ///
+    /// `summary` is the first line of its documentation; interval, pieces, degree, tolerance and
+    /// measured error follow. The function counts breakpoints, takes one row of a table and
+    /// applies Horner's rule: no branch, no panic, and no `mul_add`, which without the
+    /// instruction is a slow call.
+    pub fn emit(&self, name: &Ident, summary: &str) -> TokenStream {
+        let breakpoints = self.breakpoints();
+        let inner = &breakpoints[1..breakpoints.len() - 1];
+        let pieces = self.coefficients().len();
+        let piece_count = Literal::usize_unsuffixed(pieces);
+        let row_length = Literal::usize_unsuffixed(self.degree() + 3);
+        let rows = self
+            .coefficients()
+            .iter()
+            .enumerate()
+            .map(|(piece, coefficients)| {
+                let row = [self.center(piece), self.scale(piece)];
+                let row = row.iter().chain(coefficients).copied().map(float);
+                quote!([#(#row),*])
+            });
+        let names: Vec<Ident> = (0..=self.degree())
+            .map(|power| format_ident!("a{power}"))
+            .collect();
+        let (constant, rising) = (
+            names.first(),
+            names.get(1..names.len() - 1).unwrap_or_default(),
+        );
+        let (first, between) = (names.last(), rising.iter().rev());
+        let documentation = self.documentation(summary);
+        let lookup = lookup(inner);
+        quote! {
+            #(#[doc = #documentation])*
+            #[inline]
+            fn #name(x: f64) -> f64 {
+                /// Per piece: its middle, 2 / its width, and the coefficients of t⁰, t¹, ….
+                static PIECES: [[f64; #row_length]; #piece_count] = [#(#rows),*];
+                #lookup
+                let [center, scale, #(#names),*] = PIECES[piece];
+                let t = (x - center) * scale;
+                let value = #first;
+                #(let value = value * t + #between;)*
+                value * t + #constant
+            }
+        }
+    }
+
+    /// Lines of the emitted function's documentation.
+    fn documentation(&self, summary: &str) -> Vec<String> {
+        let breakpoints = self.breakpoints();
+        let [lower, upper] = [breakpoints[0], breakpoints[breakpoints.len() - 1]];
+        let pieces = match self.coefficients().len() {
+            1 => "1 piece".to_owned(),
+            count => format!("{count} pieces"),
+        };
+        let mut lines = vec![
+            format!(" {summary}"),
+            String::new(),
+            format!(
+                " Piecewise polynomial for {lower:?} ≤ x ≤ {upper:?}: {pieces} of degree {}.",
+                self.degree()
+            ),
+        ];
+        let accuracy = format!(
+            "relative error {:.1e} at most where measured, tolerance {:.1e}.",
+            self.largest_error(),
+            self.tolerance()
+        );
+        let slope = format!(
+            "Relative error of the fit's first derivative, by |f'| and |f|/width: about {:.1e}.",
+            self.derivative_error()
+        );
+        lines.push(match self.derivative_order() {
+            0 => format!(" The fit: {accuracy}"),
+            order => format!(" Exact derivative of order {order} of a fit, with {accuracy}"),
+        });
+        lines.push(format!(" {slope}"));
+        lines.push(" Outside that interval the outer piece is continued.".to_owned());
+        lines
+    }
+}
+
+/// The statements that find the index of the piece at `x`, given where each piece but the first
+/// begins.
+fn lookup(inner: &[f64]) -> TokenStream {
+    if inner.is_empty() {
+        return quote!(let piece = 0;);
+    }
+    let last = Literal::usize_unsuffixed(inner.len());
+    let breakpoints = inner.iter().copied().map(float);
+    // The count is never more than `last`; the minimum spares the check of the index.
+    quote! {
+        /// Where the second and each further piece begins.
+        static BREAKPOINTS: [f64; #last] = [#(#breakpoints),*];
+        let begun = BREAKPOINTS.iter().map(|&breakpoint| usize::from(x >= breakpoint));
+        let piece = begun.sum::<usize>().min(#last);
+    }
+}
+
+/// The shortest literal that reads back to the same bits; a minus sign stands before it.
+fn float(value: f64) -> TokenStream {
+    let magnitude = value.abs();
+    let sign = value.is_sign_negative().then(|| quote!(-));
+    match format!("{magnitude:?}").parse::<Literal>() {
+        Ok(literal) => quote!(#sign #literal),
+        // No literal stands for infinity.
+        Err(_) => {
+            let bits = value.to_bits();
+            quote!(f64::from_bits(#bits))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::piecewise::PiecewisePolynomial;
+    use quote::format_ident;
+
+    include!("emit/example.rs");
+
+    /// Values that take a sign, an exponent, an exact integer and all 17 digits.
+    fn example() -> PiecewisePolynomial {
+        let coefficients = vec![
+            vec![0.1 + 0.2, -1.0 / 3.0, 1.2345678901234567e-17, -0.0],
+            vec![2.0, 1e22, -5e-324, 0.7],
+            vec![-1.0, 0.25, 1.0 / 49.0, 3.5],
+        ];
+        PiecewisePolynomial::with_rows(vec![0.0, 0.25, 0.5, 1.1], coefficients)
+    }
+
+    fn source(polynomial: &PiecewisePolynomial, name: &str) -> String {
+        let tokens = polynomial.emit(&format_ident!("{name}"), "Example of a fit.");
+        prettyplease::unparse(&syn::parse2(tokens).unwrap())
+    }
+
+    #[test]
+    fn the_committed_examples_are_what_is_emitted() {
+        let single = PiecewisePolynomial::with_rows(vec![0.0, 1.0], vec![vec![1.0, 0.5]]);
+        let emitted = source(&example(), "example_fit")
+            + &source(&example().derivative(), "example_slope")
+            + &source(&single, "example_line");
+        assert_eq!(
+            emitted,
+            include_str!("emit/example.rs"),
+            "emitted:\n{emitted}"
+        );
+    }
+
+    #[test]
+    fn the_emitted_function_has_the_bits_of_evaluate() {
+        let (fit, slope) = (example(), example().derivative());
+        for index in -500..1500 {
+            let x = f64::from(index) / 1000.0;
+            assert_eq!(example_fit(x).to_bits(), fit.evaluate(x).to_bits(), "{x}");
+            assert_eq!(
+                example_slope(x).to_bits(),
+                slope.evaluate(x).to_bits(),
+                "{x}"
+            );
+        }
+        for x in [f64::MAX, -1e300, f64::MIN_POSITIVE, 0.25_f64.next_down()] {
+            assert_eq!(example_fit(x).to_bits(), fit.evaluate(x).to_bits(), "{x}");
+        }
+        assert!(example_fit(f64::NAN).is_nan());
+        assert_eq!(example_line(1.0), 1.5);
+    }
+}

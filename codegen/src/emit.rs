@@ -1,0 +1,17 @@
+//! Circuits to Rust.
+//!
+//! [`literal`] and [`namer`] alone decide how numbers and temporaries are written; [`expression`] puts an operation into
+//! tokens, [`scalar`] and [`columns`] put a function around them.
+
+pub mod columns;
+pub mod expression;
+pub mod literal;
+pub mod namer;
+pub mod scalar;
+
+use proc_macro2::TokenStream;
+
+/// Formats items as rustfmt does. None where the tokens are no Rust items.
+pub fn format(items: TokenStream) -> Option<String> {
+    syn::parse2(items).ok().map(|file| prettyplease::unparse(&file))
+}

@@ -1,0 +1,145 @@
+//! Names of temporaries: the author's where a `let` gave one, else made from what is computed.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use proc_macro2::{Ident, Span};
+
+use crate::factor::circuit::{Circuit, Net, Operation};
+use crate::graph::{Function, Graph, SymbolId};
+use crate::parse::body::identifier;
+
+/// The longest name that is made from others.
+const LONGEST: usize = 28;
+
+/// Chooses names and keeps them apart.
+pub struct Namer {
+    taken: BTreeSet<String>,
+    names: BTreeMap<Net, String>,
+    counter: BTreeMap<&'static str, usize>,
+}
+
+impl Namer {
+    /// A namer that leaves the given names alone.
+    pub fn new(taken: impl IntoIterator<Item = String>) -> Self {
+        Self { taken: taken.into_iter().collect(), names: BTreeMap::new(), counter: BTreeMap::new() }
+    }
+
+    /// The name given to an operation, if it has one.
+    pub fn name(&self, net: Net) -> Option<Ident> {
+        self.names.get(&net).map(|name| Ident::new(name, Span::call_site()))
+    }
+
+    /// Gives an operation its name.
+    pub fn bind(&mut self, graph: &Graph, circuit: &Circuit, net: Net) -> Ident {
+        let wish = circuit.suggested_name(net).map(ToOwned::to_owned).or_else(|| self.describe(graph, circuit, net));
+        let name = match wish {
+            Some(wish) => self.unique(&wish),
+            None => self.numbered(kind(circuit.operation(net))),
+        };
+        let ident = Ident::new(&name, Span::call_site());
+        self.names.insert(net, name);
+        ident
+    }
+
+    fn unique(&mut self, wish: &str) -> String {
+        let mut name = wish.to_owned();
+        let mut attempt = 1;
+        while syn::parse_str::<Ident>(&name).is_err() || !self.taken.insert(name.clone()) {
+            attempt += 1;
+            name = format!("{wish}_{attempt}");
+        }
+        name
+    }
+
+    fn numbered(&mut self, kind: &'static str) -> String {
+        let count = self.counter.entry(kind).or_insert(0);
+        *count += 1;
+        let wish = format!("{kind}_{count}");
+        self.unique(&wish)
+    }
+
+    /// What an operand is called within other names.
+    fn part(&self, graph: &Graph, circuit: &Circuit, net: Net) -> Option<String> {
+        match circuit.operation(net) {
+            Operation::Symbol(symbol) => Some(short(graph, *symbol)),
+            _ => self.names.get(&net).cloned(),
+        }
+    }
+
+    fn describe(&self, graph: &Graph, circuit: &Circuit, net: Net) -> Option<String> {
+        let part = |net: Net| self.part(graph, circuit, net);
+        let name = match circuit.operation(net) {
+            Operation::Product(factors) => match factors.as_slice() {
+                [(x, 2)] => format!("{}_squared", part(*x)?),
+                [(x, 3)] => format!("{}_cubed", part(*x)?),
+                [(x, 1), (y, 1)] => format!("{}_{}", part(*x)?, part(*y)?),
+                _ => return None,
+            },
+            Operation::Quotient(numerator, denominator) if circuit.as_number(*numerator).is_some() => {
+                format!("inverse_{}", part(*denominator)?)
+            }
+            Operation::Quotient(numerator, denominator) => format!("{}_over_{}", part(*numerator)?, part(*denominator)?),
+            Operation::Sum(terms) => match terms.as_slice() {
+                [(x, a), (y, b)] if *a == -b && circuit.as_number(*x).is_none() && circuit.as_number(*y).is_none() => {
+                    format!("{}_minus_{}", part(*x)?, part(*y)?)
+                }
+                _ => return None,
+            },
+            Operation::Apply(function, operands) => match (function, operands.as_slice()) {
+                (Function::Sqrt, [x]) => format!("root_{}", part(*x)?),
+                (Function::Abs, [x]) => format!("size_{}", part(*x)?),
+                (function, [x]) => format!("{}_{}", method(*function)?, part(*x)?),
+                _ => return None,
+            },
+            Operation::Tabulated { table, order, .. } => table_function(graph, *table, *order),
+            Operation::Number(_) | Operation::Symbol(_) => return None,
+        };
+        (name.len() <= LONGEST).then_some(name)
+    }
+}
+
+/// The last part of a symbol's path.
+fn short(graph: &Graph, symbol: SymbolId) -> String {
+    let name = &graph.symbol(symbol).name;
+    identifier(name.rsplit('.').next().unwrap_or(name))
+}
+
+/// What an operation without a better name is called.
+fn kind(operation: &Operation) -> &'static str {
+    match operation {
+        Operation::Sum(_) => "sum",
+        Operation::Product(_) => "product",
+        Operation::Quotient(..) => "quotient",
+        Operation::Apply(Function::Sqrt, _) => "root",
+        Operation::Apply(Function::Select, _) => "choice",
+        _ => "value",
+    }
+}
+
+/// The method of `f64` that computes a function of one or two operands.
+pub fn method(function: Function) -> Option<&'static str> {
+    Some(match function {
+        Function::Sqrt => "sqrt",
+        Function::Sin => "sin",
+        Function::Cos => "cos",
+        Function::Tan => "tan",
+        Function::Exp => "exp",
+        Function::Ln => "ln",
+        Function::Abs => "abs",
+        Function::Sign => "signum",
+        Function::Min => "min",
+        Function::Max => "max",
+        Function::Select => return None,
+    })
+}
+
+/// Name of the function that evaluates a table's derivative.
+pub fn table_function(graph: &Graph, table: usize, order: usize) -> String {
+    let name = graph.tables.get(table).map_or("", |table| table.name.as_str());
+    match order {
+        0 => format!("{name}_table"),
+        1 => format!("{name}_table_slope"),
+        2 => format!("{name}_table_curvature"),
+        _ => format!("{name}_table_derivative_{order}"),
+    }
+}

@@ -1,0 +1,138 @@
+//! Functions of numbers: a value, a value with its gradient, and with its second partials.
+
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+
+use super::expression::{Body, Writer};
+use crate::factor::circuit::Circuit;
+use crate::graph::{Graph, SymbolId};
+use crate::parse::module::{Function, Parameter};
+use crate::parse::value::Value;
+
+/// What a generated function returns.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Form {
+    /// The value as the formula gives it.
+    Value,
+    /// The value and its first partials.
+    Gradient,
+    /// The value, its first and its second partials.
+    Hessian,
+}
+
+impl Form {
+    /// Name of the generated function.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Value => "value",
+            Self::Gradient => "gradient",
+            Self::Hessian => "hessian",
+        }
+    }
+}
+
+/// A symbol as the scalar forms write it: a parameter, its field or its element.
+pub fn symbol_tokens(graph: &Graph, symbol: SymbolId) -> TokenStream {
+    let name = &graph.symbol(symbol).name;
+    name.parse().unwrap_or_else(|_| {
+        let name = format_ident!("{}", crate::parse::body::identifier(name));
+        quote!(#name)
+    })
+}
+
+/// The parameters as the formula declares them.
+pub fn parameters(function: &Function) -> TokenStream {
+    let parameters = function.parameters.iter().map(|Parameter { name, ty, .. }| quote!(#name: #ty));
+    quote!(#(#parameters),*)
+}
+
+/// The values in the shape that the formula gives them.
+pub fn shaped(value: &Value, numbers: &mut impl Iterator<Item = TokenStream>) -> TokenStream {
+    match value {
+        Value::Number(_) | Value::Parameter { .. } => numbers.next().unwrap_or_default(),
+        Value::Tuple(values) => {
+            let values: Vec<_> = values.iter().map(|value| shaped(value, numbers)).collect();
+            quote!((#(#values,)*))
+        }
+        Value::Array(values) => {
+            let values: Vec<_> = values.iter().map(|value| shaped(value, numbers)).collect();
+            quote!([#(#values),*])
+        }
+        Value::Struct { name, fields } => {
+            let name: TokenStream = name.parse().unwrap_or_default();
+            let fields: Vec<_> = fields
+                .iter()
+                .map(|(field, value)| {
+                    let (field, value) = (format_ident!("{field}"), shaped(value, numbers));
+                    quote!(#field: #value)
+                })
+                .collect();
+            quote!(#name { #(#fields),* })
+        }
+    }
+}
+
+/// A function of numbers around a circuit whose outputs are, in order, the values, the gradient of each value, and the
+/// upper triangle of the second partials of each.
+pub fn function(
+    graph: &Graph,
+    circuit: &Circuit,
+    function: &Function,
+    value: &Value,
+    form: Form,
+    by: usize,
+    documentation: &[String],
+) -> TokenStream {
+    let symbol = |symbol: SymbolId| symbol_tokens(graph, symbol);
+    let taken = function.parameters.iter().map(|parameter| parameter.name.to_string());
+    let Body { statements, outputs } = Writer::new(graph, circuit, &symbol, taken).body();
+    let count = value.numbers().len();
+    let mut outputs = outputs.into_iter();
+    let values = shaped(value, &mut outputs);
+    let value_type = match &function.item.sig.output {
+        syn::ReturnType::Default => quote!(()),
+        syn::ReturnType::Type(_, ty) => quote!(#ty),
+    };
+    let single = matches!(value, Value::Number(_));
+    let (mut types, mut results) = (vec![value_type], vec![values]);
+    if form >= Form::Gradient {
+        let rows: Vec<TokenStream> = (0..count).map(|_| array(outputs.by_ref().take(by))).collect();
+        types.push(if single { quote!([f64; #by]) } else { quote!([[f64; #by]; #count]) });
+        results.push(if single { quote!(#(#rows)*) } else { array(rows) });
+    }
+    if form == Form::Hessian {
+        let matrices: Vec<TokenStream> = (0..count).map(|_| symmetric(&mut outputs, by)).collect();
+        types.push(if single { quote!([[f64; #by]; #by]) } else { quote!([[[f64; #by]; #by]; #count]) });
+        results.push(if single { quote!(#(#matrices)*) } else { array(matrices) });
+    }
+    let (result_type, result) = match (types.as_slice(), results.as_slice()) {
+        ([ty], [result]) => (quote!(#ty), quote!(#result)),
+        _ => (quote!((#(#types),*)), quote!((#(#results),*))),
+    };
+    let name = format_ident!("{}", form.name());
+    let parameters = parameters(function);
+    quote! {
+        #(#[doc = #documentation])*
+        #[inline]
+        pub fn #name(#parameters) -> #result_type {
+            #(#statements)*
+            #result
+        }
+    }
+}
+
+fn array(elements: impl IntoIterator<Item = TokenStream>) -> TokenStream {
+    let elements = elements.into_iter();
+    quote!([#(#elements),*])
+}
+
+/// A symmetric matrix from its upper triangle by rows.
+fn symmetric(outputs: &mut impl Iterator<Item = TokenStream>, size: usize) -> TokenStream {
+    let triangle: Vec<Vec<TokenStream>> =
+        (0..size).map(|row| outputs.by_ref().take(size - row).collect()).collect();
+    let entry = |row: usize, column: usize| {
+        let (first, second) = (row.min(column), row.max(column));
+        triangle.get(first).and_then(|entries| entries.get(second - first)).cloned().unwrap_or_default()
+    };
+    array((0..size).map(|row| array((0..size).map(|column| entry(row, column)))))
+}

@@ -1,0 +1,284 @@
+//! The form between graph and code, in which every operation that will be done is visible.
+//!
+//! Unlike the graph's, its sums and products stay as they were taken apart: `(a·b)·c` with a shared `a·b` is two
+//! products.
+
+use std::collections::{BTreeMap, HashMap};
+
+use num_traits::{One, Signed, Zero};
+
+use crate::cost::Cost;
+use crate::graph::{Function, Rational, SymbolId};
+
+/// Handle of an operation in its [`Circuit`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Net(u32);
+
+impl Net {
+    /// Position of the operation; operands come before their users.
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// One operation.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Operation {
+    /// A constant.
+    Number(Rational),
+    /// A number that the caller gives.
+    Symbol(SymbolId),
+    /// Σ coefficient · operand, by ascending handle.
+    Sum(Vec<(Net, Rational)>),
+    /// Π operand^power, by ascending handle.
+    Product(Vec<(Net, u32)>),
+    /// Numerator over denominator.
+    Quotient(Net, Net),
+    /// An elementary function.
+    Apply(Function, Vec<Net>),
+    /// A derivative of some order of a tabulated function.
+    Tabulated {
+        /// Position among the graph's tables.
+        table: usize,
+        /// Order of the derivative.
+        order: usize,
+        /// The argument.
+        argument: Net,
+    },
+}
+
+/// Operations in order, with the places of the results.
+#[derive(Clone, Debug, Default)]
+pub struct Circuit {
+    operations: Vec<Operation>,
+    index: HashMap<Operation, Net>,
+    names: BTreeMap<Net, String>,
+    /// The results in order.
+    pub outputs: Vec<Net>,
+}
+
+impl Circuit {
+    /// Adds an operation, or finds the equal one.
+    pub fn push(&mut self, operation: Operation) -> Net {
+        if let Some(&net) = self.index.get(&operation) {
+            return net;
+        }
+        let net = Net(self.operations.len() as u32);
+        self.operations.push(operation.clone());
+        self.index.insert(operation, net);
+        net
+    }
+
+    /// A constant.
+    pub fn number(&mut self, value: Rational) -> Net {
+        self.push(Operation::Number(value))
+    }
+
+    /// The operation behind a handle.
+    pub fn operation(&self, net: Net) -> &Operation {
+        &self.operations[net.index()]
+    }
+
+    /// Puts another operation in the place of one; its operands may have larger handles until [`Self::tidy`].
+    pub fn replace(&mut self, net: Net, operation: Operation) {
+        self.operations[net.index()] = operation;
+    }
+
+    /// All handles in order.
+    pub fn nets(&self) -> impl Iterator<Item = Net> + use<> {
+        (0..self.operations.len() as u32).map(Net)
+    }
+
+    /// Suggests a name; the first stays.
+    pub fn suggest_name(&mut self, net: Net, name: &str) {
+        self.names.entry(net).or_insert_with(|| name.to_owned());
+    }
+
+    /// The suggested name, if any.
+    pub fn suggested_name(&self, net: Net) -> Option<&str> {
+        self.names.get(&net).map(String::as_str)
+    }
+
+    /// The operands of an operation.
+    pub fn operands(&self, net: Net) -> Vec<Net> {
+        match self.operation(net) {
+            Operation::Number(_) | Operation::Symbol(_) => Vec::new(),
+            Operation::Sum(terms) => terms.iter().map(|(operand, _)| *operand).collect(),
+            Operation::Product(factors) => factors.iter().map(|(operand, _)| *operand).collect(),
+            Operation::Quotient(numerator, denominator) => vec![*numerator, *denominator],
+            Operation::Apply(_, operands) => operands.clone(),
+            Operation::Tabulated { argument, .. } => vec![*argument],
+        }
+    }
+
+    /// How often each operation is an operand or a result.
+    pub fn uses(&self) -> Vec<usize> {
+        let mut uses = vec![0; self.operations.len()];
+        for net in self.nets() {
+            for operand in self.operands(net) {
+                uses[operand.index()] += 1;
+            }
+        }
+        for output in &self.outputs {
+            uses[output.index()] += 1;
+        }
+        uses
+    }
+
+    /// Whether the operation is a constant.
+    pub fn as_number(&self, net: Net) -> Option<&Rational> {
+        match self.operation(net) {
+            Operation::Number(value) => Some(value),
+            _ => None,
+        }
+    }
+
+    /// A sum in its simplest form: no zero term, no sum of one term with the coefficient 1.
+    pub fn sum(&mut self, terms: impl IntoIterator<Item = (Net, Rational)>) -> Net {
+        let mut collected: BTreeMap<Net, Rational> = BTreeMap::new();
+        for (operand, coefficient) in terms {
+            let (operand, coefficient) = match self.operation(operand) {
+                Operation::Sum(inner) if inner.len() == 1 => (inner[0].0, &inner[0].1 * coefficient),
+                _ => (operand, coefficient),
+            };
+            *collected.entry(operand).or_insert_with(Rational::zero) += coefficient;
+        }
+        collected.retain(|_, coefficient| !coefficient.is_zero());
+        let terms: Vec<_> = collected.into_iter().collect();
+        match terms.as_slice() {
+            [] => self.number(Rational::zero()),
+            [(operand, coefficient)] if coefficient.is_one() => *operand,
+            [(operand, coefficient)] if self.as_number(*operand).is_some_and(One::is_one) => {
+                let value = coefficient.clone();
+                self.number(value)
+            }
+            _ => self.push(Operation::Sum(terms)),
+        }
+    }
+
+    /// A product in its simplest form.
+    pub fn product(&mut self, factors: impl IntoIterator<Item = (Net, u32)>) -> Net {
+        let mut collected: BTreeMap<Net, u32> = BTreeMap::new();
+        for (operand, power) in factors {
+            if power > 0 && !self.as_number(operand).is_some_and(One::is_one) {
+                *collected.entry(operand).or_insert(0) += power;
+            }
+        }
+        let factors: Vec<_> = collected.into_iter().collect();
+        match factors.as_slice() {
+            [] => self.number(Rational::one()),
+            [(operand, 1)] => *operand,
+            _ => self.push(Operation::Product(factors)),
+        }
+    }
+
+    /// Drops what no result needs, brings operands before their users, and makes equal operations one.
+    pub fn tidy(&mut self) {
+        let mut tidied = Self::default();
+        let mut images: Vec<Option<Net>> = vec![None; self.operations.len()];
+        // Operands may lie behind their users here, so that this is a depth-first walk with a stack of its own.
+        let mut stack: Vec<(Net, bool)> = self.outputs.iter().rev().map(|output| (*output, false)).collect();
+        let uses = self.live_uses();
+        while let Some((net, expanded)) = stack.pop() {
+            if images[net.index()].is_some() {
+                continue;
+            }
+            if !expanded {
+                stack.push((net, true));
+                stack.extend(self.operands(net).into_iter().rev().map(|operand| (operand, false)));
+                continue;
+            }
+            let image = self.image(&mut tidied, net, &images, &uses);
+            if let Some(name) = self.suggested_name(net) {
+                tidied.suggest_name(image, name);
+            }
+            images[net.index()] = Some(image);
+        }
+        tidied.outputs = self.outputs.iter().filter_map(|output| images[output.index()]).collect();
+        *self = tidied;
+    }
+
+    /// The uses by what the results need.
+    fn live_uses(&self) -> Vec<usize> {
+        let mut uses = vec![0_usize; self.operations.len()];
+        let mut stack = Vec::new();
+        for output in &self.outputs {
+            uses[output.index()] += 1;
+            stack.push(*output);
+        }
+        let mut seen = vec![false; self.operations.len()];
+        while let Some(net) = stack.pop() {
+            if std::mem::replace(&mut seen[net.index()], true) {
+                continue;
+            }
+            for operand in self.operands(net) {
+                uses[operand.index()] += 1;
+                stack.push(operand);
+            }
+        }
+        uses
+    }
+
+    fn image(&self, tidied: &mut Self, net: Net, images: &[Option<Net>], uses: &[usize]) -> Net {
+        // Every operand has its image before its user is asked for.
+        let image = |operand: &Net| images[operand.index()].unwrap_or(Net(0));
+        match self.operation(net) {
+            Operation::Sum(terms) => {
+                let terms: Vec<_> = terms.iter().map(|(operand, q)| (image(operand), q.clone())).collect();
+                tidied.sum(terms)
+            }
+            Operation::Product(factors) => {
+                let mut opened = Vec::new();
+                for (operand, power) in factors {
+                    match tidied.operation(image(operand)) {
+                        // A product that only this one uses is no operation of its own.
+                        Operation::Product(inner) if uses[operand.index()] == 1 => {
+                            opened.extend(inner.iter().map(|(factor, exponent)| (*factor, exponent * power)));
+                        }
+                        _ => opened.push((image(operand), *power)),
+                    }
+                }
+                tidied.product(opened)
+            }
+            Operation::Quotient(numerator, denominator) => {
+                tidied.push(Operation::Quotient(image(numerator), image(denominator)))
+            }
+            Operation::Apply(function, operands) => {
+                tidied.push(Operation::Apply(*function, operands.iter().map(image).collect()))
+            }
+            Operation::Tabulated { table, order, argument } => {
+                tidied.push(Operation::Tabulated { table: *table, order: *order, argument: image(argument) })
+            }
+            leaf => tidied.push(leaf.clone()),
+        }
+    }
+
+    /// What one operation costs, its operands not counted.
+    pub fn cost_of(&self, net: Net) -> Cost {
+        let mut cost = Cost::default();
+        match self.operation(net) {
+            Operation::Number(_) | Operation::Symbol(_) => {}
+            Operation::Sum(terms) => {
+                cost.add = terms.len().saturating_sub(1);
+                let multiple = |(operand, coefficient): &&(Net, Rational)| {
+                    !coefficient.abs().is_one() && self.as_number(*operand).is_none()
+                };
+                cost.mul = terms.iter().filter(multiple).count();
+            }
+            Operation::Product(factors) => {
+                let power: u32 = factors.iter().map(|(_, power)| power).sum();
+                cost.mul = (power as usize).saturating_sub(1);
+            }
+            Operation::Quotient(..) => cost.div = 1,
+            Operation::Apply(Function::Sqrt, _) => cost.sqrt = 1,
+            Operation::Apply(Function::Abs | Function::Sign, _) => {}
+            Operation::Apply(..) | Operation::Tabulated { .. } => cost.call = 1,
+        }
+        cost
+    }
+
+    /// What all operations cost.
+    pub fn cost(&self) -> Cost {
+        self.nets().fold(Cost::default(), |cost, net| cost + self.cost_of(net))
+    }
+}

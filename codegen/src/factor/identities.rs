@@ -1,0 +1,121 @@
+//! Expressions that are equal though they are written differently become one.
+
+use std::collections::HashMap;
+
+use super::fingerprint::{Fingerprint, Residue, is_zero, node_at, without_sign};
+use crate::graph::{ExprId, Graph, Node, Rational, whole};
+
+/// Sums of more terms than this are not searched for equal parts: the search tries all subsets.
+const MOST_TERMS: usize = 10;
+
+/// Rebuilds the roots so that expressions with equal fingerprints, up to sign, are the same node, and sums whose parts
+/// repeat each other are shortened.
+pub fn merge(graph: &Graph, roots: &[ExprId]) -> (Graph, Vec<ExprId>) {
+    let mut target = Graph::with_symbols_of(graph);
+    let mut merger = Merger::default();
+    let roots = graph.rebuild(&mut target, roots, |target, _, image| merger.representative(target, image));
+    (target, roots)
+}
+
+#[derive(Default)]
+struct Merger {
+    /// By position in the target.
+    fingerprints: Vec<Option<Fingerprint>>,
+    known: HashMap<Fingerprint, (ExprId, bool)>,
+}
+
+impl Merger {
+    fn fingerprint(&mut self, graph: &Graph, id: ExprId) -> Fingerprint {
+        if let Some(Some(known)) = self.fingerprints.get(id.index()) {
+            return *known;
+        }
+        for operand in graph.operands(id) {
+            self.fingerprint(graph, operand);
+        }
+        let known = &self.fingerprints;
+        let value = |point: usize| {
+            node_at(graph, id, point as u64, |operand| {
+                known.get(operand.index()).copied().flatten().map_or(Residue::ZERO, |fingerprint| fingerprint[point])
+            })
+        };
+        let fingerprint = [value(0), value(1)];
+        if self.fingerprints.len() <= id.index() {
+            self.fingerprints.resize(id.index() + 1, None);
+        }
+        self.fingerprints[id.index()] = Some(fingerprint);
+        fingerprint
+    }
+
+    fn representative(&mut self, graph: &mut Graph, id: ExprId) -> ExprId {
+        let fingerprint = self.fingerprint(graph, id);
+        if is_zero(fingerprint) {
+            return graph.integer(0);
+        }
+        let (unsigned, negated) = without_sign(fingerprint);
+        if let Some(&(known, known_negated)) = self.known.get(&unsigned) {
+            return if negated == known_negated { known } else { graph.negate(known) };
+        }
+        let short = self.shorten(graph, id);
+        // A rational multiple is no node of its own: what it is a multiple of has been entered already.
+        let multiple = matches!(graph.node(short), Node::Sum(terms) if terms.len() == 1);
+        if !multiple {
+            self.known.insert(unsigned, (short, negated));
+        }
+        short
+    }
+
+    /// A sum of which one part equals another, or its negative: that part is counted twice, or both are dropped.
+    fn shorten(&mut self, graph: &mut Graph, id: ExprId) -> ExprId {
+        let Node::Sum(terms) = graph.node(id).clone() else { return id };
+        if !(3..=MOST_TERMS).contains(&terms.len()) {
+            return id;
+        }
+        let values: Vec<Fingerprint> = terms
+            .iter()
+            .map(|(operand, coefficient)| {
+                let scale = Residue::rational(coefficient);
+                self.fingerprint(graph, *operand).map(|residue| residue.times(scale))
+            })
+            .collect();
+        let Some((kept, dropped, same_sign)) = equal_parts(&values) else { return id };
+        let mut shortened: Vec<(ExprId, Rational)> = Vec::new();
+        for (position, (operand, coefficient)) in terms.into_iter().enumerate() {
+            let bit = 1_usize << position;
+            if dropped & bit != 0 || (kept & bit != 0 && !same_sign) {
+                continue;
+            }
+            let factor = if kept & bit != 0 { whole(2) } else { whole(1) };
+            shortened.push((operand, coefficient * factor));
+        }
+        let shortened = graph.sum(shortened);
+        self.shorten(graph, shortened)
+    }
+}
+
+/// Two disjoint sets of positions whose values add up to the same, up to sign: the one to keep (the smaller), the one
+/// to drop (as large as can be), and whether their signs agree.
+fn equal_parts(values: &[Fingerprint]) -> Option<(usize, usize, bool)> {
+    let subsets = 1_usize << values.len();
+    let mut sums: Vec<Fingerprint> = vec![[Residue::ZERO; 2]; subsets];
+    let mut by_sum: HashMap<Fingerprint, Vec<(usize, bool)>> = HashMap::new();
+    let mut best: Option<(usize, usize, bool)> = None;
+    for set in 1..subsets {
+        let last = set.trailing_zeros() as usize;
+        let rest = sums[set & (set - 1)];
+        sums[set] = [rest[0].plus(values[last][0]), rest[1].plus(values[last][1])];
+        let (unsigned, negated) = without_sign(sums[set]);
+        let equals = by_sum.entry(unsigned).or_default();
+        for (other, other_negated) in equals.iter().filter(|(other, _)| other & set == 0) {
+            let (kept, dropped) = if other.count_ones() <= set.count_ones() { (*other, set) } else { (set, *other) };
+            let saves = |candidate: (usize, usize, bool)| {
+                candidate.1.count_ones() + if candidate.2 { 0 } else { candidate.0.count_ones() }
+            };
+            let candidate = (kept, dropped, negated == *other_negated);
+            if best.is_none_or(|best| saves(candidate) > saves(best)) {
+                best = Some(candidate);
+            }
+        }
+        equals.push((set, negated));
+    }
+    best.filter(|(kept, dropped, _)| kept.count_ones() + dropped.count_ones() > 2)
+}

@@ -1,0 +1,230 @@
+//! From the graph to operations: constants to their decimal values, quotients to as few divisions as there can be.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use num_bigint::BigInt;
+use num_traits::{One, Pow, Signed, Zero};
+
+use super::circuit::{Circuit, Net, Operation};
+use crate::graph::{ExprId, Function, Graph, NamedConstant, Node, Rational};
+use crate::parse::literal::decimal;
+
+/// Digits of a constant that is not rational, many more than any number type of the output has.
+const CONSTANT_DIGITS: u32 = 60;
+
+/// The circuit of the roots as they stand, without any extraction.
+pub fn lower(graph: &Graph, roots: &[ExprId]) -> Circuit {
+    let mut lowering =
+        Lowering { graph, circuit: Circuit::default(), values: vec![None; graph.len()], inverted: shared_divisors(graph, roots) };
+    for id in graph.reachable(roots) {
+        let value = lowering.value(id);
+        if let Some(name) = graph.suggested_name(id)
+            && value.0.is_one()
+        {
+            lowering.circuit.suggest_name(value.1, name);
+        }
+        lowering.values[id.index()] = Some(value);
+    }
+    let outputs = roots.iter().map(|root| lowering.net(*root)).collect();
+    lowering.circuit.outputs = outputs;
+    lowering.circuit.tidy();
+    lowering.circuit
+}
+
+/// A rational multiple of an operation; a constant is a multiple of the number 1.
+type Multiple = (Rational, Net);
+
+struct Lowering<'g> {
+    graph: &'g Graph,
+    circuit: Circuit,
+    values: Vec<Option<Multiple>>,
+    inverted: Divisors,
+}
+
+/// How divisions are shared.
+#[derive(Default)]
+struct Divisors {
+    /// Factors whose inverse is computed once and multiplied by.
+    factors: BTreeSet<ExprId>,
+    /// Whole denominators whose inverse is computed once and multiplied by.
+    products: BTreeSet<Vec<(ExprId, u32)>>,
+}
+
+impl Lowering<'_> {
+    fn multiple(&mut self, id: ExprId) -> Multiple {
+        match &self.values[id.index()] {
+            Some(value) => value.clone(),
+            // Operands are lowered before their users.
+            None => self.value(id),
+        }
+    }
+
+    /// The operation whose value is that of the expression, the rational factor included.
+    fn net(&mut self, id: ExprId) -> Net {
+        let (coefficient, net) = self.multiple(id);
+        self.circuit.sum([(net, coefficient)])
+    }
+
+    fn one(&mut self) -> Net {
+        self.circuit.number(Rational::one())
+    }
+
+    fn value(&mut self, id: ExprId) -> Multiple {
+        match self.graph.node(id) {
+            Node::Number(value) => (value.clone(), self.one()),
+            Node::Constant(constant) => (digits_of(*constant), self.one()),
+            Node::Symbol(symbol) => (Rational::one(), self.circuit.push(Operation::Symbol(*symbol))),
+            Node::Sum(terms) => self.sum(terms),
+            Node::Product(factors) => self.product(factors),
+            Node::Apply(function, operands) => self.apply(*function, operands),
+            Node::Tabulated { table, order, argument } => {
+                let argument = self.net(*argument);
+                let operation = Operation::Tabulated { table: *table, order: *order, argument };
+                (Rational::one(), self.circuit.push(operation))
+            }
+            // Integrals were refused before anything is lowered.
+            Node::Integral { .. } => (Rational::zero(), self.one()),
+        }
+    }
+
+    fn sum(&mut self, terms: &[(ExprId, Rational)]) -> Multiple {
+        let mut collected: BTreeMap<Net, Rational> = BTreeMap::new();
+        for (operand, coefficient) in terms {
+            let (inner, net) = self.multiple(*operand);
+            *collected.entry(net).or_insert_with(Rational::zero) += coefficient * inner;
+        }
+        collected.retain(|_, coefficient| !coefficient.is_zero());
+        let terms: Vec<(Net, Rational)> = collected.into_iter().collect();
+        let (first, terms) = match terms.as_slice() {
+            [] => return (Rational::zero(), self.one()),
+            [(net, coefficient)] => return (coefficient.clone(), *net),
+            [(_, first), ..] => (first.clone(), terms),
+        };
+        // A factor common to all terms is taken out: one multiplication for all.
+        let common = terms.iter().all(|(_, coefficient)| coefficient.abs() == first.abs());
+        let content = if common { first.abs() } else { Rational::one() };
+        let scaled: Vec<_> = terms.into_iter().map(|(net, coefficient)| (net, coefficient / &content)).collect();
+        (content, self.circuit.sum(scaled))
+    }
+
+    fn product(&mut self, factors: &[(ExprId, i32)]) -> Multiple {
+        let mut coefficient = Rational::one();
+        let mut numerator = Vec::new();
+        let mut denominator = Vec::new();
+        let mut divisors = Vec::new();
+        for (factor, exponent) in factors {
+            let (inner, net) = self.multiple(*factor);
+            coefficient *= inner.pow(*exponent);
+            if *exponent > 0 {
+                numerator.push((net, exponent.unsigned_abs()));
+            } else if self.inverted.factors.contains(factor) {
+                let one = self.one();
+                let inverse = self.circuit.push(Operation::Quotient(one, net));
+                numerator.push((inverse, exponent.unsigned_abs()));
+            } else {
+                denominator.push((net, exponent.unsigned_abs()));
+                divisors.push((*factor, exponent.unsigned_abs()));
+            }
+        }
+        let denominator = self.circuit.product(denominator);
+        if self.circuit.as_number(denominator).is_some() {
+            return (coefficient, self.circuit.product(numerator));
+        }
+        if self.inverted.products.contains(&divisors) {
+            let one = self.one();
+            numerator.push((self.circuit.push(Operation::Quotient(one, denominator)), 1));
+            return (coefficient, self.circuit.product(numerator));
+        }
+        let numerator = self.circuit.product(numerator);
+        if self.circuit.as_number(numerator).is_some() {
+            let numerator = self.circuit.number(coefficient);
+            return (Rational::one(), self.circuit.push(Operation::Quotient(numerator, denominator)));
+        }
+        (coefficient, self.circuit.push(Operation::Quotient(numerator, denominator)))
+    }
+
+    fn apply(&mut self, function: Function, operands: &[ExprId]) -> Multiple {
+        if let [operand] = operands {
+            let (coefficient, net) = self.multiple(*operand);
+            let constant = self.circuit.as_number(net).is_some();
+            match function {
+                Function::Abs if constant => return (coefficient.abs(), net),
+                Function::Abs => {
+                    return (coefficient.abs(), self.circuit.push(Operation::Apply(function, vec![net])));
+                }
+                Function::Sqrt if constant && !coefficient.is_negative() => return (root_of(&coefficient), net),
+                _ => {}
+            }
+        }
+        let operands = operands.iter().map(|operand| self.net(*operand)).collect();
+        (Rational::one(), self.circuit.push(Operation::Apply(function, operands)))
+    }
+}
+
+/// Digits of a named constant.
+fn digits_of(constant: NamedConstant) -> Rational {
+    let digits = match constant {
+        NamedConstant::Pi => "3.14159265358979323846264338327950288419716939937510582097494",
+        NamedConstant::E => "2.71828182845904523536028747135266249775724709369995957496697",
+        NamedConstant::Ln2 => "0.693147180559945309417232121458176568075500134360255254120680",
+        NamedConstant::Ln10 => "2.30258509299404568401799145468436420760110148862877297603333",
+    };
+    decimal(digits).unwrap_or_else(Rational::one)
+}
+
+/// The square root of a constant to [`CONSTANT_DIGITS`] digits.
+fn root_of(value: &Rational) -> Rational {
+    let scale = Pow::pow(BigInt::from(10), CONSTANT_DIGITS);
+    let scaled = value.numer() * value.denom() * &scale * &scale;
+    Rational::new(scaled.sqrt(), value.denom() * scale)
+}
+
+/// Decides which inverses are shared: per group of quotients that have divisors in common, either each divisor is
+/// inverted once or each whole denominator is, whichever needs fewer divisions.
+fn shared_divisors(graph: &Graph, roots: &[ExprId]) -> Divisors {
+    let mut quotients: Vec<Vec<(ExprId, u32)>> = Vec::new();
+    for id in graph.reachable(roots) {
+        if let Node::Product(factors) = graph.node(id) {
+            let divisors: Vec<_> = factors
+                .iter()
+                .filter(|(_, exponent)| *exponent < 0)
+                .map(|(factor, exponent)| (*factor, exponent.unsigned_abs()))
+                .collect();
+            if !divisors.is_empty() {
+                quotients.push(divisors);
+            }
+        }
+    }
+    let mut shared = Divisors::default();
+    for group in groups(quotients) {
+        let factors: BTreeSet<ExprId> = group.iter().flatten().map(|(factor, _)| *factor).collect();
+        let whole: BTreeSet<Vec<(ExprId, u32)>> = group.iter().cloned().collect();
+        if group.len() == 1 {
+            continue;
+        }
+        if factors.len() <= whole.len() {
+            shared.factors.extend(factors);
+        } else {
+            let repeated = whole.into_iter().filter(|divisors| group.iter().filter(|other| *other == divisors).count() > 1);
+            shared.products.extend(repeated);
+        }
+    }
+    shared
+}
+
+/// Quotients connected by common divisors.
+fn groups(quotients: Vec<Vec<(ExprId, u32)>>) -> Vec<Vec<Vec<(ExprId, u32)>>> {
+    let mut groups: Vec<(BTreeSet<ExprId>, Vec<Vec<(ExprId, u32)>>)> = Vec::new();
+    for quotient in quotients {
+        let mut factors: BTreeSet<ExprId> = quotient.iter().map(|(factor, _)| *factor).collect();
+        let mut members = vec![quotient];
+        let (connected, apart): (Vec<_>, Vec<_>) = groups.into_iter().partition(|(known, _)| !known.is_disjoint(&factors));
+        for (known, others) in connected {
+            factors.extend(known);
+            members.extend(others);
+        }
+        groups = apart;
+        groups.push((factors, members));
+    }
+    groups.into_iter().map(|(_, members)| members).collect()
+}

@@ -1,0 +1,394 @@
+//! The one intermediate representation: a hash-consed directed acyclic graph of expressions.
+//!
+//! **Invariants**
+//! - Equal nodes have equal handles, and a node's operands have smaller handles than the node.
+//! - A sum holds no number among its operands (a constant is a multiple of [`Graph::one`]), no operand
+//!   twice, no zero coefficient, and at least two terms or one with a coefficient other than 1.
+//! - A product holds no product, no number other than a divisor 0, no operand twice, no zero exponent; rational
+//!   coefficients stand in the sum around it.
+//! - Nothing is ever multiplied out: the structure of a formula is its author's knowledge about rounding.
+
+mod canonical;
+mod sign;
+
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::One;
+
+use crate::approximate::piecewise::PiecewisePolynomial;
+pub use sign::Sign;
+
+/// An exact rational constant.
+pub type Rational = BigRational;
+
+/// Handle of an expression in its [`Graph`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct ExprId(u32);
+
+/// Handle of a symbol (a number that the formula's caller gives) in its [`Graph`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct SymbolId(u32);
+
+impl ExprId {
+    /// Position of the expression in order of creation.
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+impl SymbolId {
+    /// Position of the symbol in order of creation.
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// The elementary functions of the language beyond sums and products.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Function {
+    /// Square root.
+    Sqrt,
+    /// Sine of an angle in radians.
+    Sin,
+    /// Cosine of an angle in radians.
+    Cos,
+    /// Tangent of an angle in radians.
+    Tan,
+    /// Exponential.
+    Exp,
+    /// Natural logarithm.
+    Ln,
+    /// Absolute value.
+    Abs,
+    /// Sign: 1 or −1, the derivative of the absolute value.
+    Sign,
+    /// The smaller of two.
+    Min,
+    /// The larger of two.
+    Max,
+    /// `Select(a, b, x, y)` is x where a ≤ b, else y: the derivative of the smaller and larger of two.
+    Select,
+}
+
+/// Names of the mathematical constants that are not rational.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum NamedConstant {
+    /// Archimedes' constant π.
+    Pi,
+    /// Euler's number e.
+    E,
+    /// Natural logarithm of 2.
+    Ln2,
+    /// Natural logarithm of 10.
+    Ln10,
+}
+
+/// One node of the graph.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Node {
+    /// An exact rational constant.
+    Number(Rational),
+    /// A constant known by name.
+    Constant(NamedConstant),
+    /// A number that the caller gives.
+    Symbol(SymbolId),
+    /// Σ coefficient · operand, by ascending handle.
+    Sum(Vec<(ExprId, Rational)>),
+    /// Π operand^exponent, by ascending handle.
+    Product(Vec<(ExprId, i32)>),
+    /// An elementary function of its operands.
+    Apply(Function, Vec<ExprId>),
+    /// The derivative of the given order of a tabulated function, a piecewise polynomial made when the crate is built.
+    Tabulated {
+        /// Position in [`Graph::tables`].
+        table: usize,
+        /// Order of the derivative, 0 for the function itself.
+        order: usize,
+        /// The function's argument.
+        argument: ExprId,
+    },
+    /// A definite integral; evaluated when the crate is built, never emitted.
+    Integral {
+        /// The variable of integration.
+        variable: SymbolId,
+        /// The integrand.
+        integrand: ExprId,
+        /// Lower bound.
+        lower: ExprId,
+        /// Upper bound.
+        upper: ExprId,
+    },
+}
+
+/// A symbol: its name as the formula's author writes it, and what is known about its sign.
+#[derive(Clone, Debug)]
+pub struct Symbol {
+    /// `omega`, or `c.beta` for a field of a parameter.
+    pub name: String,
+    /// The declared domain, as a sign.
+    pub sign: Sign,
+}
+
+/// A tabulated function: its name, its polynomial, and what is known of its sign.
+#[derive(Clone, Debug)]
+pub struct Table {
+    /// Name of the function in the module.
+    pub name: String,
+    /// The fit.
+    pub polynomial: PiecewisePolynomial,
+    /// Sign of the function over its interval.
+    pub sign: Sign,
+}
+
+impl Table {
+    /// The derivative of the given order, 0 for the fit itself.
+    pub fn derivative(&self, order: usize) -> PiecewisePolynomial {
+        (0..order).fold(self.polynomial.clone(), |polynomial, _| polynomial.derivative())
+    }
+}
+
+/// A hash-consed graph of expressions.
+#[derive(Clone, Debug)]
+pub struct Graph {
+    nodes: Vec<Node>,
+    signs: Vec<Sign>,
+    index: HashMap<Node, ExprId>,
+    symbols: Vec<Symbol>,
+    symbol_index: BTreeMap<String, SymbolId>,
+    names: BTreeMap<ExprId, String>,
+    /// The tabulated functions that nodes refer to.
+    pub tables: Vec<Table>,
+}
+
+impl Default for Graph {
+    fn default() -> Self {
+        let mut graph = Self {
+            nodes: Vec::new(),
+            signs: Vec::new(),
+            index: HashMap::new(),
+            symbols: Vec::new(),
+            symbol_index: BTreeMap::new(),
+            names: BTreeMap::new(),
+            tables: Vec::new(),
+        };
+        graph.intern(Node::Number(Rational::one()));
+        graph
+    }
+}
+
+impl Graph {
+    /// An empty graph.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// An empty graph with the same symbols (by the same handles) and tables, to rebuild expressions in.
+    pub fn with_symbols_of(other: &Self) -> Self {
+        let mut graph = Self::new();
+        graph.symbols.clone_from(&other.symbols);
+        graph.symbol_index.clone_from(&other.symbol_index);
+        graph.tables.clone_from(&other.tables);
+        graph
+    }
+
+    /// The number 1.
+    pub fn one(&self) -> ExprId {
+        ExprId(0)
+    }
+
+    /// The node behind a handle.
+    pub fn node(&self, id: ExprId) -> &Node {
+        &self.nodes[id.index()]
+    }
+
+    /// How many nodes there are.
+    pub fn len(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// The expression made at that position.
+    pub fn expression(&self, position: usize) -> Option<ExprId> {
+        u32::try_from(position).ok().filter(|_| position < self.nodes.len()).map(ExprId)
+    }
+
+    /// A graph is never empty: it holds the number 1.
+    pub fn is_empty(&self) -> bool {
+        false
+    }
+
+    /// The symbol behind a handle.
+    pub fn symbol(&self, id: SymbolId) -> &Symbol {
+        &self.symbols[id.index()]
+    }
+
+    /// All symbols in order of creation.
+    pub fn symbols(&self) -> impl Iterator<Item = (SymbolId, &Symbol)> {
+        self.symbols.iter().enumerate().map(|(position, symbol)| (SymbolId(position as u32), symbol))
+    }
+
+    /// The symbol of that name, made if there is none.
+    pub fn symbol_named(&mut self, name: &str) -> SymbolId {
+        if let Some(&id) = self.symbol_index.get(name) {
+            return id;
+        }
+        let id = SymbolId(self.symbols.len() as u32);
+        self.symbols.push(Symbol { name: name.to_owned(), sign: Sign::UNKNOWN });
+        self.symbol_index.insert(name.to_owned(), id);
+        id
+    }
+
+    /// The symbol of that name, if there is one.
+    pub fn find_symbol(&self, name: &str) -> Option<SymbolId> {
+        self.symbol_index.get(name).copied()
+    }
+
+    /// Declares what is known of a symbol's sign; it holds for expressions that are made afterwards.
+    pub fn assume(&mut self, id: SymbolId, sign: Sign) {
+        let known = &mut self.symbols[id.index()].sign;
+        *known = known.and(sign);
+    }
+
+    /// Suggests a name for a temporary; the first suggestion stays.
+    pub fn suggest_name(&mut self, id: ExprId, name: &str) {
+        self.names.entry(id).or_insert_with(|| name.to_owned());
+    }
+
+    /// The suggested name, if any.
+    pub fn suggested_name(&self, id: ExprId) -> Option<&str> {
+        self.names.get(&id).map(String::as_str)
+    }
+
+    fn intern(&mut self, node: Node) -> ExprId {
+        if let Some(&id) = self.index.get(&node) {
+            return id;
+        }
+        let id = ExprId(self.nodes.len() as u32);
+        let sign = self.derive_sign(&node);
+        self.signs.push(sign);
+        self.nodes.push(node.clone());
+        self.index.insert(node, id);
+        id
+    }
+
+    /// The operands of a node.
+    pub fn operands(&self, id: ExprId) -> Vec<ExprId> {
+        match self.node(id) {
+            Node::Number(_) | Node::Constant(_) | Node::Symbol(_) => Vec::new(),
+            Node::Sum(terms) => terms.iter().map(|(operand, _)| *operand).collect(),
+            Node::Product(factors) => factors.iter().map(|(operand, _)| *operand).collect(),
+            Node::Apply(_, operands) => operands.clone(),
+            Node::Tabulated { argument, .. } => vec![*argument],
+            Node::Integral { integrand, lower, upper, .. } => vec![*integrand, *lower, *upper],
+        }
+    }
+
+    /// Everything the roots need, operands before their users.
+    pub fn reachable(&self, roots: &[ExprId]) -> Vec<ExprId> {
+        let mut seen = vec![false; self.nodes.len()];
+        let mut stack: Vec<ExprId> = roots.to_vec();
+        while let Some(id) = stack.pop() {
+            if !std::mem::replace(&mut seen[id.index()], true) {
+                stack.extend(self.operands(id));
+            }
+        }
+        (0..self.nodes.len()).filter(|&i| seen[i]).map(|i| ExprId(i as u32)).collect()
+    }
+
+    /// For every node, whether it depends on one of the symbols; a variable of integration is asked for alone.
+    pub fn depends_on(&self, symbols: &BTreeSet<SymbolId>) -> Vec<bool> {
+        let mut depends = vec![false; self.nodes.len()];
+        for position in 0..self.nodes.len() {
+            let id = ExprId(position as u32);
+            depends[position] = match self.node(id) {
+                Node::Symbol(symbol) => symbols.contains(symbol),
+                // An integral does not depend on its own variable.
+                Node::Integral { variable, lower, upper, .. } if symbols.contains(variable) => {
+                    depends[lower.index()] || depends[upper.index()]
+                }
+                _ => self.operands(id).iter().any(|operand| depends[operand.index()]),
+            };
+        }
+        depends
+    }
+
+    /// The symbols that the roots depend on, in order of creation.
+    pub fn symbols_of(&self, roots: &[ExprId]) -> BTreeSet<SymbolId> {
+        self.reachable(roots)
+            .into_iter()
+            .filter_map(|id| match self.node(id) {
+                Node::Symbol(symbol) => Some(*symbol),
+                _ => None,
+            })
+            .collect()
+    }
+
+    /// Rebuilds the roots in `target`, sending each rebuilt node through `visit`.
+    ///
+    /// `visit` gets the target graph, the old handle and the rebuilt node, and answers with the node that stands
+    /// for it from there on: a substitution, a rewriting, or the node itself.
+    pub fn rebuild(
+        &self,
+        target: &mut Graph,
+        roots: &[ExprId],
+        mut visit: impl FnMut(&mut Graph, ExprId, ExprId) -> ExprId,
+    ) -> Vec<ExprId> {
+        let mut images: Vec<Option<ExprId>> = vec![None; self.nodes.len()];
+        for id in self.reachable(roots) {
+            let image = self.rebuild_node(target, id, &images);
+            let image = visit(target, id, image);
+            if let Some(name) = self.suggested_name(id) {
+                target.suggest_name(image, name);
+            }
+            images[id.index()] = Some(image);
+        }
+        let one = target.one();
+        roots.iter().map(|root| images[root.index()].unwrap_or(one)).collect()
+    }
+
+    fn rebuild_node(&self, target: &mut Graph, id: ExprId, images: &[Option<ExprId>]) -> ExprId {
+        // Operands come before their users, so that an image is always there.
+        let image = |operand: &ExprId| images[operand.index()].unwrap_or(ExprId(0));
+        match self.node(id) {
+            Node::Number(value) => target.number(value.clone()),
+            Node::Constant(constant) => target.constant(*constant),
+            Node::Symbol(symbol) => target.symbol_expression(*symbol),
+            Node::Sum(terms) => {
+                let terms: Vec<_> = terms.iter().map(|(operand, q)| (image(operand), q.clone())).collect();
+                target.sum(terms)
+            }
+            Node::Product(factors) => {
+                let factors: Vec<_> = factors.iter().map(|(operand, n)| (image(operand), *n)).collect();
+                target.product(factors)
+            }
+            Node::Apply(function, operands) => {
+                let operands = operands.iter().map(image).collect();
+                target.apply(*function, operands)
+            }
+            Node::Tabulated { table, order, argument } => target.tabulated(*table, *order, image(argument)),
+            Node::Integral { variable, integrand, lower, upper } => {
+                target.integral(*variable, image(integrand), image(lower), image(upper))
+            }
+        }
+    }
+
+    /// Replaces symbols by expressions of the same graph, everywhere at once.
+    pub fn substitute(&mut self, roots: &[ExprId], replacements: &BTreeMap<SymbolId, ExprId>) -> Vec<ExprId> {
+        let source = self.clone();
+        source.rebuild(self, roots, |_, old, image| match source.node(old) {
+            Node::Symbol(symbol) => replacements.get(symbol).copied().unwrap_or(image),
+            _ => image,
+        })
+    }
+}
+
+/// A whole number as a rational constant.
+pub fn whole(value: i64) -> Rational {
+    Rational::from_integer(BigInt::from(value))
+}
+
+/// The quotient of two whole numbers as a rational constant; the denominator is not zero.
+pub fn ratio(numerator: i64, denominator: i64) -> Rational {
+    Rational::new(BigInt::from(numerator), BigInt::from(denominator))
+}

@@ -1,0 +1,208 @@
+//! Constructors: each brings its node into the one form that [`Graph`]'s invariants name.
+
+use std::collections::BTreeMap;
+
+use num_traits::{One, Signed, Zero};
+
+use super::{ExprId, Function, Graph, NamedConstant, Node, Rational, SymbolId, whole};
+
+impl Graph {
+    /// An exact constant.
+    pub fn number(&mut self, value: Rational) -> ExprId {
+        self.intern(Node::Number(value))
+    }
+
+    /// A whole number.
+    pub fn integer(&mut self, value: i64) -> ExprId {
+        self.number(whole(value))
+    }
+
+    /// A named constant.
+    pub fn constant(&mut self, constant: NamedConstant) -> ExprId {
+        self.intern(Node::Constant(constant))
+    }
+
+    /// The expression that is just a symbol.
+    pub fn symbol_expression(&mut self, symbol: SymbolId) -> ExprId {
+        self.intern(Node::Symbol(symbol))
+    }
+
+    /// The value of a node that is a rational constant.
+    pub fn as_number(&self, id: ExprId) -> Option<&Rational> {
+        match self.node(id) {
+            Node::Number(value) => Some(value),
+            _ => None,
+        }
+    }
+
+    /// Σ coefficient · operand. Equal operands are collected; a sum among the operands is opened only where that
+    /// leaves no more terms than it had, as in (a + b) − b.
+    pub fn sum(&mut self, terms: impl IntoIterator<Item = (ExprId, Rational)>) -> ExprId {
+        let mut closed = BTreeMap::new();
+        for (operand, coefficient) in terms {
+            self.collect_term(&mut closed, operand, coefficient);
+        }
+        closed.retain(|_, coefficient: &mut Rational| !coefficient.is_zero());
+        let mut opened = BTreeMap::new();
+        let mut has_sum = false;
+        for (operand, coefficient) in &closed {
+            match self.node(*operand) {
+                Node::Sum(inner) => {
+                    has_sum = true;
+                    for (term, q) in inner.clone() {
+                        self.collect_term(&mut opened, term, coefficient * q);
+                    }
+                }
+                _ => self.collect_term(&mut opened, *operand, coefficient.clone()),
+            }
+        }
+        opened.retain(|_, coefficient| !coefficient.is_zero());
+        if has_sum && opened.len() <= closed.len() {
+            return self.sum(opened);
+        }
+        self.finish_sum(closed)
+    }
+
+    fn collect_term(&self, terms: &mut BTreeMap<ExprId, Rational>, operand: ExprId, coefficient: Rational) {
+        match self.node(operand) {
+            Node::Number(value) => {
+                *terms.entry(self.one()).or_insert_with(Rational::zero) += value * coefficient;
+            }
+            Node::Sum(inner) if inner.len() == 1 => {
+                self.collect_term(terms, inner[0].0, &inner[0].1 * coefficient);
+            }
+            _ => *terms.entry(operand).or_insert_with(Rational::zero) += coefficient,
+        }
+    }
+
+    fn finish_sum(&mut self, terms: BTreeMap<ExprId, Rational>) -> ExprId {
+        let terms: Vec<_> = terms.into_iter().collect();
+        match terms.as_slice() {
+            [] => self.number(Rational::zero()),
+            [(operand, coefficient)] if *operand == self.one() => {
+                let value = coefficient.clone();
+                self.number(value)
+            }
+            [(operand, coefficient)] if coefficient.is_one() => *operand,
+            _ => self.intern(Node::Sum(terms)),
+        }
+    }
+
+    /// Π operand^exponent. Products among the operands are opened, rational factors gathered in front.
+    pub fn product(&mut self, factors: impl IntoIterator<Item = (ExprId, i32)>) -> ExprId {
+        let mut coefficient = Rational::one();
+        let mut powers = BTreeMap::new();
+        for (operand, exponent) in factors {
+            self.collect_factor(&mut coefficient, &mut powers, operand, exponent);
+        }
+        if coefficient.is_zero() {
+            return self.number(coefficient);
+        }
+        powers.retain(|_, exponent: &mut i32| *exponent != 0);
+        let powers: Vec<_> = powers.into_iter().collect();
+        let product = match powers.as_slice() {
+            [] => return self.number(coefficient),
+            [(operand, 1)] => *operand,
+            _ => self.intern(Node::Product(powers)),
+        };
+        self.sum([(product, coefficient)])
+    }
+
+    fn collect_factor(
+        &mut self,
+        coefficient: &mut Rational,
+        powers: &mut BTreeMap<ExprId, i32>,
+        operand: ExprId,
+        exponent: i32,
+    ) {
+        if exponent == 0 {
+            return;
+        }
+        match self.node(operand).clone() {
+            Node::Number(value) if !value.is_zero() || exponent > 0 => *coefficient *= value.pow(exponent),
+            Node::Product(inner) => {
+                for (factor, power) in inner {
+                    self.collect_factor(coefficient, powers, factor, power * exponent);
+                }
+            }
+            Node::Sum(terms) => {
+                let (content, primitive) = self.primitive(operand, &terms);
+                *coefficient *= content.pow(exponent);
+                if primitive == operand {
+                    *powers.entry(operand).or_insert(0) += exponent;
+                } else {
+                    self.collect_factor(coefficient, powers, primitive, exponent);
+                }
+            }
+            _ => *powers.entry(operand).or_insert(0) += exponent,
+        }
+    }
+
+    /// Splits a sum into a rational and a sum that begins with a positive term, so that (b − a) and (a − b),
+    /// (2a + 2b) and (a + b) are one factor.
+    fn primitive(&mut self, sum: ExprId, terms: &[(ExprId, Rational)]) -> (Rational, ExprId) {
+        let Some((_, first)) = terms.first() else { return (Rational::one(), sum) };
+        let common = terms.iter().all(|(_, q)| q.abs() == first.abs());
+        let content = if common { first.clone() } else { first.signum() };
+        if content.is_one() {
+            return (content, sum);
+        }
+        let scaled: Vec<_> = terms.iter().map(|(operand, q)| (*operand, q / &content)).collect();
+        (content, self.sum(scaled))
+    }
+
+    /// The sum of two.
+    pub fn add(&mut self, left: ExprId, right: ExprId) -> ExprId {
+        self.sum([(left, whole(1)), (right, whole(1))])
+    }
+
+    /// The difference of two.
+    pub fn subtract(&mut self, left: ExprId, right: ExprId) -> ExprId {
+        self.sum([(left, whole(1)), (right, whole(-1))])
+    }
+
+    /// The negative.
+    pub fn negate(&mut self, operand: ExprId) -> ExprId {
+        self.sum([(operand, whole(-1))])
+    }
+
+    /// A rational multiple.
+    pub fn scale(&mut self, operand: ExprId, coefficient: Rational) -> ExprId {
+        self.sum([(operand, coefficient)])
+    }
+
+    /// The product of two.
+    pub fn multiply(&mut self, left: ExprId, right: ExprId) -> ExprId {
+        self.product([(left, 1), (right, 1)])
+    }
+
+    /// The quotient of two.
+    pub fn divide(&mut self, left: ExprId, right: ExprId) -> ExprId {
+        self.product([(left, 1), (right, -1)])
+    }
+
+    /// A whole power.
+    pub fn power(&mut self, operand: ExprId, exponent: i32) -> ExprId {
+        self.product([(operand, exponent)])
+    }
+
+    /// An elementary function of its operands, as it stands; see `rewrite` for what is known of them.
+    pub fn apply(&mut self, function: Function, operands: Vec<ExprId>) -> ExprId {
+        self.intern(Node::Apply(function, operands))
+    }
+
+    /// The square root.
+    pub fn sqrt(&mut self, operand: ExprId) -> ExprId {
+        self.apply(Function::Sqrt, vec![operand])
+    }
+
+    /// A derivative of a tabulated function.
+    pub fn tabulated(&mut self, table: usize, order: usize, argument: ExprId) -> ExprId {
+        self.intern(Node::Tabulated { table, order, argument })
+    }
+
+    /// A definite integral.
+    pub fn integral(&mut self, variable: SymbolId, integrand: ExprId, lower: ExprId, upper: ExprId) -> ExprId {
+        self.intern(Node::Integral { variable, integrand, lower, upper })
+    }
+}

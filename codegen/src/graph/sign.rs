@@ -1,0 +1,183 @@
+//! What is known of an expression's sign from the declared domains of its symbols.
+
+use num_traits::Signed;
+
+use super::{ExprId, Function, Graph, Node};
+
+/// Which of negative, zero and positive a number may be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Sign {
+    /// It may be below zero.
+    pub negative: bool,
+    /// It may be zero.
+    pub zero: bool,
+    /// It may be above zero.
+    pub positive: bool,
+}
+
+impl Sign {
+    /// Nothing is known.
+    pub const UNKNOWN: Self = Self { negative: true, zero: true, positive: true };
+    /// Above zero.
+    pub const POSITIVE: Self = Self { negative: false, zero: false, positive: true };
+    /// Below zero.
+    pub const NEGATIVE: Self = Self { negative: true, zero: false, positive: false };
+    /// Zero or above.
+    pub const NOT_NEGATIVE: Self = Self { negative: false, zero: true, positive: true };
+    /// Zero or below.
+    pub const NOT_POSITIVE: Self = Self { negative: true, zero: true, positive: false };
+    /// Any but zero.
+    pub const NOT_ZERO: Self = Self { negative: true, zero: false, positive: true };
+
+    /// What holds where both hold.
+    pub fn and(self, other: Self) -> Self {
+        Self {
+            negative: self.negative && other.negative,
+            zero: self.zero && other.zero,
+            positive: self.positive && other.positive,
+        }
+    }
+
+    /// What holds where one of two holds.
+    pub fn or(self, other: Self) -> Self {
+        Self {
+            negative: self.negative || other.negative,
+            zero: self.zero || other.zero,
+            positive: self.positive || other.positive,
+        }
+    }
+
+    /// Never below zero.
+    pub fn is_not_negative(self) -> bool {
+        !self.negative
+    }
+
+    /// Never above zero.
+    pub fn is_not_positive(self) -> bool {
+        !self.positive
+    }
+
+    /// Above zero.
+    pub fn is_positive(self) -> bool {
+        !self.negative && !self.zero
+    }
+
+    fn negated(self) -> Self {
+        Self { negative: self.positive, zero: self.zero, positive: self.negative }
+    }
+
+    fn times(self, other: Self) -> Self {
+        Self {
+            negative: (self.negative && other.positive) || (self.positive && other.negative),
+            zero: self.zero || other.zero,
+            positive: (self.positive && other.positive) || (self.negative && other.negative),
+        }
+    }
+
+    fn plus(self, other: Self) -> Self {
+        let negative = self.negative || other.negative;
+        let positive = self.positive || other.positive;
+        let zero = (self.zero && other.zero)
+            || (self.negative && other.positive)
+            || (self.positive && other.negative);
+        Self { negative, zero, positive }
+    }
+
+    fn squared(self) -> Self {
+        Self { negative: false, zero: self.zero, positive: self.positive || self.negative }
+    }
+
+    fn of_number(value: &super::Rational) -> Self {
+        if value.is_positive() {
+            Self::POSITIVE
+        } else if value.is_negative() {
+            Self::NEGATIVE
+        } else {
+            Self { negative: false, zero: true, positive: false }
+        }
+    }
+}
+
+impl Graph {
+    /// What is known of an expression's sign, wherever the expression is defined.
+    pub fn sign(&self, id: ExprId) -> Sign {
+        self.signs[id.index()]
+    }
+
+    /// The sign of a node from the signs of its operands.
+    pub(super) fn derive_sign(&self, node: &Node) -> Sign {
+        match node {
+            Node::Number(value) => Sign::of_number(value),
+            Node::Constant(_) => Sign::POSITIVE,
+            Node::Symbol(symbol) => self.symbol(*symbol).sign,
+            Node::Sum(terms) => {
+                let mut terms = terms.iter().map(|(operand, coefficient)| {
+                    let sign = self.sign(*operand);
+                    if coefficient.is_negative() { sign.negated() } else { sign }
+                });
+                let first = terms.next().unwrap_or(Sign::UNKNOWN);
+                terms.fold(first, Sign::plus)
+            }
+            Node::Product(factors) => {
+                factors.iter().fold(Sign::POSITIVE, |product, (operand, exponent)| {
+                    let sign = self.sign(*operand);
+                    let mut power = if exponent % 2 == 0 { sign.squared() } else { sign };
+                    // A divisor is not zero where the quotient is defined.
+                    power.zero &= *exponent > 0;
+                    product.times(power)
+                })
+            }
+            Node::Apply(function, operands) => self.sign_of_function(*function, operands),
+            Node::Tabulated { table, order: 0, .. } => self.tables.get(*table).map_or(Sign::UNKNOWN, |t| t.sign),
+            Node::Tabulated { .. } | Node::Integral { .. } => Sign::UNKNOWN,
+        }
+    }
+
+    fn sign_of_function(&self, function: Function, operands: &[ExprId]) -> Sign {
+        let sign = |position: usize| operands.get(position).map_or(Sign::UNKNOWN, |id| self.sign(*id));
+        match function {
+            Function::Sqrt => Sign { negative: false, zero: sign(0).zero, positive: true },
+            Function::Abs => sign(0).squared(),
+            Function::Exp => Sign::POSITIVE,
+            Function::Sign => Sign { zero: false, ..Sign::UNKNOWN },
+            Function::Min | Function::Max => {
+                let (a, b) = (sign(0), sign(1));
+                let mut either = a.or(b);
+                if function == Function::Max {
+                    either.negative = a.negative && b.negative;
+                    either.zero &= !a.is_positive() && !b.is_positive();
+                } else {
+                    either.positive = a.positive && b.positive;
+                    either.zero &= (a.zero || a.positive) && (b.zero || b.positive);
+                }
+                either
+            }
+            Function::Select => sign(2).or(sign(3)),
+            Function::Sin | Function::Cos | Function::Tan | Function::Ln => Sign::UNKNOWN,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn signs_follow_the_declared_domains() {
+        let mut graph = Graph::new();
+        let x = graph.symbol_named("x");
+        graph.assume(x, Sign::POSITIVE);
+        let x = graph.symbol_expression(x);
+        let y = graph.symbol_named("y");
+        let y = graph.symbol_expression(y);
+        let square = graph.power(y, 2);
+        let sum = graph.add(x, square);
+        assert_eq!(graph.sign(sum), Sign::POSITIVE);
+        let difference = graph.subtract(x, square);
+        assert_eq!(graph.sign(difference), Sign::UNKNOWN);
+        let negative = graph.negate(sum);
+        assert_eq!(graph.sign(negative), Sign::NEGATIVE);
+        let product = graph.multiply(negative, square);
+        assert_eq!(graph.sign(product), Sign::NOT_POSITIVE);
+    }
+}

@@ -1,0 +1,241 @@
+//! Evaluates a graph, node by node: what generated code is tested against, and what the numerics of the build use.
+
+use std::collections::BTreeSet;
+
+use num_traits::ToPrimitive;
+
+use crate::approximate::quadrature::integrate;
+use crate::graph::{ExprId, Function, Graph, NamedConstant, Node, Rational, SymbolId, Table};
+
+/// A kind of number that a graph can be evaluated in: `f64`, or more digits in tests.
+pub trait Number: Clone {
+    /// The nearest to an exact constant.
+    fn rational(value: &Rational) -> Self;
+    /// The nearest to a named constant.
+    fn constant(constant: NamedConstant) -> Self;
+    /// The sum of two.
+    fn add(&self, other: &Self) -> Self;
+    /// The product of two.
+    fn multiply(&self, other: &Self) -> Self;
+    /// The quotient of two.
+    fn divide(&self, other: &Self) -> Self;
+    /// An elementary function.
+    fn apply(function: Function, operands: &[Self]) -> Self;
+    /// The derivative of some order of a tabulated function.
+    fn tabulated(table: &Table, order: usize, argument: &Self) -> Self;
+}
+
+/// The named constant to the nearest `f64`.
+pub fn constant_value(constant: NamedConstant) -> f64 {
+    match constant {
+        NamedConstant::Pi => std::f64::consts::PI,
+        NamedConstant::E => std::f64::consts::E,
+        NamedConstant::Ln2 => std::f64::consts::LN_2,
+        NamedConstant::Ln10 => std::f64::consts::LN_10,
+    }
+}
+
+impl Number for f64 {
+    fn rational(value: &Rational) -> Self {
+        value.to_f64().unwrap_or(f64::NAN)
+    }
+
+    fn constant(constant: NamedConstant) -> Self {
+        constant_value(constant)
+    }
+
+    fn add(&self, other: &Self) -> Self {
+        self + other
+    }
+
+    fn multiply(&self, other: &Self) -> Self {
+        self * other
+    }
+
+    fn divide(&self, other: &Self) -> Self {
+        self / other
+    }
+
+    fn apply(function: Function, operands: &[Self]) -> Self {
+        match (function, operands) {
+            (Function::Sqrt, [x]) => x.sqrt(),
+            (Function::Sin, [x]) => x.sin(),
+            (Function::Cos, [x]) => x.cos(),
+            (Function::Tan, [x]) => x.tan(),
+            (Function::Exp, [x]) => x.exp(),
+            (Function::Ln, [x]) => x.ln(),
+            (Function::Abs, [x]) => x.abs(),
+            (Function::Sign, [x]) => x.signum(),
+            (Function::Min, [x, y]) => x.min(*y),
+            (Function::Max, [x, y]) => x.max(*y),
+            (Function::Select, [a, b, x, y]) => {
+                if a <= b {
+                    *x
+                } else {
+                    *y
+                }
+            }
+            _ => f64::NAN,
+        }
+    }
+
+    fn tabulated(table: &Table, order: usize, argument: &Self) -> Self {
+        table.derivative(order).evaluate(*argument)
+    }
+}
+
+/// One node's value from the values of its operands. Integrals have none here.
+fn node_value<T: Number>(graph: &Graph, id: ExprId, symbols: &[T], value: &impl Fn(ExprId) -> T) -> Option<T> {
+    Some(match graph.node(id) {
+        Node::Number(number) => T::rational(number),
+        Node::Constant(constant) => T::constant(*constant),
+        Node::Symbol(symbol) => symbols.get(symbol.index())?.clone(),
+        Node::Sum(terms) => {
+            let mut terms = terms.iter().map(|(operand, coefficient)| T::rational(coefficient).multiply(&value(*operand)));
+            let first = terms.next()?;
+            terms.fold(first, |sum, term| sum.add(&term))
+        }
+        Node::Product(factors) => {
+            let one = T::rational(&crate::graph::whole(1));
+            let (mut numerator, mut denominator) = (one.clone(), one);
+            for (operand, exponent) in factors {
+                let factor = value(*operand);
+                for _ in 0..exponent.unsigned_abs() {
+                    let side = if *exponent > 0 { &mut numerator } else { &mut denominator };
+                    *side = side.multiply(&factor);
+                }
+            }
+            numerator.divide(&denominator)
+        }
+        Node::Apply(function, operands) => {
+            let operands: Vec<T> = operands.iter().map(|operand| value(*operand)).collect();
+            T::apply(*function, &operands)
+        }
+        Node::Tabulated { table, order, argument } => T::tabulated(graph.tables.get(*table)?, *order, &value(*argument)),
+        Node::Integral { .. } => return None,
+    })
+}
+
+/// The values of the roots, for values of the symbols in the order in which the graph has them. None where an
+/// integral is among them or a symbol has no value.
+pub fn evaluate<T: Number>(graph: &Graph, roots: &[ExprId], symbols: &[T]) -> Option<Vec<T>> {
+    let mut values: Vec<Option<T>> = vec![None; graph.len()];
+    for id in graph.reachable(roots) {
+        let zero = T::rational(&crate::graph::whole(0));
+        let value = node_value(graph, id, symbols, &|operand: ExprId| {
+            values[operand.index()].clone().unwrap_or_else(|| zero.clone())
+        })?;
+        values[id.index()] = Some(value);
+    }
+    roots.iter().map(|root| values[root.index()].clone()).collect()
+}
+
+/// Why a function of one variable has no value.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{0}")]
+pub struct EvaluateError(String);
+
+/// Evaluates functions of one variable that hold integrals, for the numerics of the build.
+pub struct Integrator<'g> {
+    graph: &'g Graph,
+    tolerance: f64,
+    symbols: Vec<f64>,
+    values: Vec<f64>,
+    /// For each integral, the nodes of its integrand that change with its variable, in order.
+    inner: Vec<Vec<ExprId>>,
+}
+
+impl<'g> Integrator<'g> {
+    /// An evaluator of everything in the graph; `tolerance` is relative and for each integral.
+    pub fn new(graph: &'g Graph, tolerance: f64) -> Self {
+        let mut integrator = Self {
+            graph,
+            tolerance,
+            symbols: vec![f64::NAN; graph.symbols().count()],
+            values: vec![f64::NAN; graph.len()],
+            inner: vec![Vec::new(); graph.len()],
+        };
+        for position in 0..graph.len() {
+            let Some(id) = graph.expression(position) else { continue };
+            if let Node::Integral { variable, integrand, .. } = graph.node(id) {
+                integrator.inner[position] = changing(graph, *integrand, *variable);
+            }
+        }
+        integrator
+    }
+
+    /// The root's value where the symbol has the given value.
+    ///
+    /// # Errors
+    /// The text of what the quadrature could not do.
+    pub fn evaluate(&mut self, root: ExprId, symbol: SymbolId, value: f64) -> Result<f64, EvaluateError> {
+        self.symbols[symbol.index()] = value;
+        let bound = self.bound_nodes();
+        let order: Vec<ExprId> = self.graph.reachable(&[root]).into_iter().filter(|id| !bound.contains(id)).collect();
+        self.run(&order)?;
+        Ok(self.values[root.index()])
+    }
+
+    /// Nodes that have a value only inside an integral.
+    fn bound_nodes(&self) -> BTreeSet<ExprId> {
+        self.inner.iter().flatten().copied().collect()
+    }
+
+    fn run(&mut self, order: &[ExprId]) -> Result<(), EvaluateError> {
+        for id in order {
+            self.values[id.index()] = self.value_of(*id)?;
+        }
+        Ok(())
+    }
+
+    fn value_of(&mut self, id: ExprId) -> Result<f64, EvaluateError> {
+        let Node::Integral { variable, integrand, lower, upper } = self.graph.node(id) else {
+            let value = |operand: ExprId| self.values[operand.index()];
+            return node_value(self.graph, id, &self.symbols, &value).ok_or_else(|| EvaluateError("a symbol has no value".to_owned()));
+        };
+        let (lower, upper) = (self.values[lower.index()], self.values[upper.index()]);
+        let order = std::mem::take(&mut self.inner[id.index()]);
+        let tolerance = self.tolerance;
+        let mut sample = |x: f64| -> Result<f64, EvaluateError> {
+            self.symbols[variable.index()] = x;
+            self.run(&order)?;
+            Ok(self.values[integrand.index()])
+        };
+        let result = integrate(&mut sample, lower, upper, tolerance).map_err(|error| EvaluateError(describe(&error)));
+        self.inner[id.index()] = order;
+        result
+    }
+}
+
+/// The error with what caused it.
+pub(crate) fn describe(error: &dyn std::error::Error) -> String {
+    match error.source() {
+        Some(source) => format!("{error}: {}", describe(source)),
+        None => error.to_string(),
+    }
+}
+
+/// The nodes of an integrand that change with its variable, but for those that nested integrals run through.
+fn changing(graph: &Graph, integrand: ExprId, variable: SymbolId) -> Vec<ExprId> {
+    let depends = graph.depends_on(&BTreeSet::from([variable]));
+    let nested: Vec<Vec<bool>> = bound_variables(graph, integrand)
+        .into_iter()
+        .map(|variable| graph.depends_on(&BTreeSet::from([variable])))
+        .collect();
+    graph
+        .reachable(&[integrand])
+        .into_iter()
+        .filter(|id| depends[id.index()] && !nested.iter().any(|inside| inside[id.index()]))
+        .collect()
+}
+
+fn bound_variables(graph: &Graph, root: ExprId) -> BTreeSet<SymbolId> {
+    graph
+        .reachable(&[root])
+        .into_iter()
+        .filter_map(|id| match graph.node(id) {
+            Node::Integral { variable, .. } => Some(*variable),
+            _ => None,
+        })
+        .collect()
+}

@@ -1,0 +1,11 @@
+//! Rust source to functions over a graph.
+//!
+//! [`module`] reads the items of a module and [`attributes`] what is asked of each function; [`body`] follows a
+//! function's statements with symbols in place of numbers. All three report what they can't take at its own token and
+//! go on.
+
+pub mod attributes;
+pub mod body;
+pub mod literal;
+pub mod module;
+pub mod value;

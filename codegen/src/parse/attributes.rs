@@ -1,0 +1,322 @@
+//! What is asked of a function: `#[generate]`, `#[domain]`, `#[approximate]`, `#[specialise]`.
+
+use proc_macro2::Span;
+use syn::parse::Parser;
+use syn::punctuated::Punctuated;
+use syn::spanned::Spanned;
+use syn::{Attribute, BinOp, Expr, Ident, Lit, Token};
+
+use crate::cost::Measure;
+use crate::diagnostics::{Diagnostics, nearest};
+use crate::graph::Sign;
+
+/// A number named in an attribute: a parameter, `c.field` or `a[0]`, with its place for messages.
+#[derive(Clone, Debug)]
+pub struct Target {
+    /// The symbol's name.
+    pub symbol: String,
+    /// Where it is named.
+    pub span: Span,
+}
+
+/// The forms to generate from one function.
+#[derive(Clone, Debug, Default)]
+pub struct Request {
+    /// The value itself, as generated code.
+    pub value: bool,
+    /// First partials by these, by every number the function uses where the list is empty.
+    pub gradient: Option<Vec<Target>>,
+    /// Second partials, likewise.
+    pub hessian: Option<Vec<Target>>,
+    /// Forms over slices, of the value and of the gradient where there is one.
+    pub columns: bool,
+    /// Greatest counts of the richest form.
+    pub budget: Vec<Limit>,
+}
+
+/// One entry of a budget.
+#[derive(Clone, Debug)]
+pub struct Limit {
+    /// What is counted.
+    pub measure: Measure,
+    /// The most that is allowed.
+    pub most: usize,
+    /// The entry, for the message.
+    pub span: Span,
+}
+
+/// A function to be tabulated when the crate is built.
+#[derive(Clone, Debug)]
+pub struct Approximation {
+    /// The function's one parameter.
+    pub variable: Ident,
+    /// Lower end of the interval.
+    pub lower: f64,
+    /// Upper end of the interval.
+    pub upper: f64,
+    /// Factor that is kept as it is, so that only the quotient is approximated.
+    pub factor: Option<Expr>,
+    /// Greatest relative error.
+    pub tolerance: f64,
+    /// Where it is asked for.
+    pub span: Span,
+}
+
+/// A new function, made by fixing parameters of the one it stands at.
+#[derive(Clone, Debug)]
+pub struct Specialisation {
+    /// The new function's name.
+    pub name: Ident,
+    /// Parameter and the expression in its place.
+    pub replacements: Vec<(Ident, Expr)>,
+    /// What to generate from it.
+    pub request: Request,
+}
+
+/// Everything that a function's attributes say.
+#[derive(Clone, Debug, Default)]
+pub struct FunctionAttributes {
+    /// `#[generate(…)]`
+    pub request: Option<Request>,
+    /// `#[domain(…)]`
+    pub domain: Vec<(Target, Sign)>,
+    /// `#[approximate(…)]`
+    pub approximation: Option<Approximation>,
+    /// `#[specialise(…)]`, any number of them.
+    pub specialisations: Vec<Specialisation>,
+}
+
+/// The attributes that belong to the generator; all others stay on the function.
+pub const OWN: [&str; 4] = ["generate", "domain", "approximate", "specialise"];
+
+impl FunctionAttributes {
+    /// Reads the generator's attributes among `attributes`.
+    pub fn read(attributes: &[Attribute], diagnostics: &mut Diagnostics) -> Self {
+        let mut read = Self::default();
+        for attribute in attributes {
+            let Some(name) = OWN.into_iter().find(|name| attribute.path().is_ident(name)) else { continue };
+            let Some(words) = words(attribute, diagnostics) else { continue };
+            let span = attribute.path().span();
+            match name {
+                "generate" => read.request = Some(request(&words, span, diagnostics)),
+                "domain" => {
+                    read.domain.extend(words.iter().filter_map(|word| domain(word, diagnostics)));
+                }
+                "approximate" => read.approximation = approximation(&words, span, diagnostics),
+                _ => read.specialisations.extend(specialisation(&words, span, diagnostics)),
+            }
+        }
+        read
+    }
+}
+
+fn words(attribute: &Attribute, diagnostics: &mut Diagnostics) -> Option<Vec<Expr>> {
+    let parser = Punctuated::<Expr, Token![,]>::parse_terminated;
+    let tokens = match &attribute.meta {
+        syn::Meta::List(list) => list.tokens.clone(),
+        _ => proc_macro2::TokenStream::new(),
+    };
+    match parser.parse2(tokens) {
+        Ok(words) => Some(words.into_iter().collect()),
+        Err(error) => {
+            diagnostics.syntax(&error);
+            None
+        }
+    }
+}
+
+/// The word of `word` or `word(arguments)`.
+fn head(expression: &Expr) -> Option<(&Ident, Vec<&Expr>)> {
+    match expression {
+        Expr::Path(path) => path.path.get_ident().map(|ident| (ident, Vec::new())),
+        Expr::Call(call) => match call.func.as_ref() {
+            Expr::Path(path) => path.path.get_ident().map(|ident| (ident, call.args.iter().collect())),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+const FORMS: [&str; 5] = ["value", "gradient", "hessian", "columns", "budget"];
+
+fn request(words: &[Expr], span: Span, diagnostics: &mut Diagnostics) -> Request {
+    let mut request = Request::default();
+    if words.is_empty() {
+        diagnostics.error_with_hint(span, "`generate` names no form", "write one of value, gradient(x, y), hessian(x, y), columns");
+    }
+    for word in words {
+        let Some((name, arguments)) = head(word) else {
+            diagnostics.error_with_hint(word.span(), "not a form", format!("forms are {}", FORMS.join(", ")));
+            continue;
+        };
+        match name.to_string().as_str() {
+            "value" => request.value = true,
+            "columns" => request.columns = true,
+            "gradient" => request.gradient = Some(targets(&arguments, diagnostics)),
+            "hessian" => request.hessian = Some(targets(&arguments, diagnostics)),
+            "budget" => budget(&mut request.budget, name, &arguments, diagnostics),
+            other => {
+                let hint = nearest(other, FORMS)
+                    .map_or_else(|| format!("forms are {}", FORMS.join(", ")), |form| format!("did you mean `{form}`?"));
+                diagnostics.error_with_hint(name.span(), format!("unknown form `{other}`"), hint);
+            }
+        }
+    }
+    request
+}
+
+fn targets(arguments: &[&Expr], diagnostics: &mut Diagnostics) -> Vec<Target> {
+    arguments.iter().filter_map(|argument| target(argument, diagnostics)).collect()
+}
+
+/// `omega`, `c.beta` or `a[0]` as the name of a symbol.
+fn target(expression: &Expr, diagnostics: &mut Diagnostics) -> Option<Target> {
+    let symbol = symbol_path(expression);
+    if symbol.is_none() {
+        diagnostics.error_with_hint(
+            expression.span(),
+            "not the name of a number",
+            "write a parameter `x`, a field `c.x` or an element `a[0]`",
+        );
+    }
+    Some(Target { symbol: symbol?, span: expression.span() })
+}
+
+fn symbol_path(expression: &Expr) -> Option<String> {
+    match expression {
+        Expr::Path(path) => path.path.get_ident().map(ToString::to_string),
+        Expr::Field(field) => {
+            let base = symbol_path(&field.base)?;
+            match &field.member {
+                syn::Member::Named(name) => Some(format!("{base}.{name}")),
+                syn::Member::Unnamed(index) => Some(format!("{base}.{}", index.index)),
+            }
+        }
+        Expr::Index(index) => match index.index.as_ref() {
+            Expr::Lit(syn::ExprLit { lit: Lit::Int(position), .. }) => {
+                Some(format!("{}[{}]", symbol_path(&index.expr)?, position.base10_digits()))
+            }
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+fn budget(limits: &mut Vec<Limit>, name: &Ident, arguments: &[&Expr], diagnostics: &mut Diagnostics) {
+    const EXAMPLE: &str = "write for example budget(operations = 96, div = 1)";
+    if arguments.is_empty() {
+        diagnostics.error_with_hint(name.span(), "the budget names no count", EXAMPLE);
+    }
+    for argument in arguments {
+        let entry = match argument {
+            Expr::Assign(assign) => (head(&assign.left), assign.right.as_ref()),
+            _ => (None, *argument),
+        };
+        let (Some((key, _)), Expr::Lit(syn::ExprLit { lit: Lit::Int(most), .. })) = entry else {
+            diagnostics.error_with_hint(argument.span(), "an entry of the budget is a count and a whole number", EXAMPLE);
+            continue;
+        };
+        let Some(measure) = Measure::named(&key.to_string()) else {
+            diagnostics.error_with_hint(
+                key.span(),
+                format!("unknown count `{key}`"),
+                format!("counts are {}", Measure::NAMES.join(", ")),
+            );
+            continue;
+        };
+        match most.base10_parse() {
+            Ok(most) => limits.push(Limit { measure, most, span: argument.span() }),
+            Err(error) => diagnostics.syntax(&error),
+        }
+    }
+}
+
+fn domain(condition: &Expr, diagnostics: &mut Diagnostics) -> Option<(Target, Sign)> {
+    const HINT: &str = "write a comparison with zero: x > 0.0, x >= 0.0, x < 0.0, x <= 0.0 or x != 0.0";
+    if let Expr::Binary(binary) = condition
+        && is_zero(&binary.right)
+    {
+        let sign = match binary.op {
+            BinOp::Gt(_) => Some(Sign::POSITIVE),
+            BinOp::Ge(_) => Some(Sign::NOT_NEGATIVE),
+            BinOp::Lt(_) => Some(Sign::NEGATIVE),
+            BinOp::Le(_) => Some(Sign::NOT_POSITIVE),
+            BinOp::Ne(_) => Some(Sign::NOT_ZERO),
+            _ => None,
+        };
+        if let Some(sign) = sign {
+            return target(&binary.left, diagnostics).map(|target| (target, sign));
+        }
+    }
+    diagnostics.error_with_hint(condition.span(), "not a domain", HINT);
+    None
+}
+
+fn is_zero(expression: &Expr) -> bool {
+    number(expression).is_some_and(|value| value == 0.0)
+}
+
+/// A literal number of an attribute.
+fn number(expression: &Expr) -> Option<f64> {
+    match expression {
+        Expr::Lit(syn::ExprLit { lit: Lit::Float(value), .. }) => value.base10_parse().ok(),
+        Expr::Lit(syn::ExprLit { lit: Lit::Int(value), .. }) => value.base10_parse().ok(),
+        Expr::Unary(syn::ExprUnary { op: syn::UnOp::Neg(_), expr, .. }) => number(expr).map(|value: f64| -value),
+        _ => None,
+    }
+}
+
+fn approximation(words: &[Expr], span: Span, diagnostics: &mut Diagnostics) -> Option<Approximation> {
+    const EXAMPLE: &str = "write for example approximate(x = 0.0..=1.0, factor = x.powi(2), tolerance = 1e-13)";
+    let (mut interval, mut factor, mut tolerance) = (None, None, None);
+    for word in words {
+        let assign = match word {
+            Expr::Assign(assign) => head(&assign.left).map(|(name, _)| (name, assign.right.as_ref())),
+            _ => None,
+        };
+        match assign {
+            Some((name, right)) if name == "tolerance" => tolerance = number(right).map(|value| (value, right.span())),
+            Some((name, right)) if name == "factor" => factor = Some((name, right.clone()).1),
+            Some((name, Expr::Range(range))) => {
+                let bound = |end: &Option<Box<Expr>>| end.as_ref().and_then(|end| number(end));
+                interval = bound(&range.start).zip(bound(&range.end)).map(|bounds| (name.clone(), bounds));
+            }
+            _ => diagnostics.error_with_hint(word.span(), "not a part of an approximation", EXAMPLE),
+        }
+    }
+    let (Some((variable, (lower, upper))), Some((tolerance, _))) = (interval, tolerance) else {
+        diagnostics.error_with_hint(span, "an approximation needs its variable's interval and a tolerance", EXAMPLE);
+        return None;
+    };
+    Some(Approximation { variable, lower, upper, factor, tolerance, span })
+}
+
+fn specialisation(words: &[Expr], span: Span, diagnostics: &mut Diagnostics) -> Option<Specialisation> {
+    const EXAMPLE: &str = "write for example specialise(phi_on_sir, omega = speed, generate(gradient(speed)))";
+    let mut words = words.iter();
+    let Some((name, _)) = words.next().and_then(head) else {
+        diagnostics.error_with_hint(span, "a specialisation begins with the new function's name", EXAMPLE);
+        return None;
+    };
+    let mut specialisation =
+        Specialisation { name: name.clone(), replacements: Vec::new(), request: Request { value: true, ..Request::default() } };
+    for word in words {
+        match word {
+            Expr::Assign(assign) => match head(&assign.left) {
+                Some((parameter, _)) => {
+                    specialisation.replacements.push((parameter.clone(), assign.right.as_ref().clone()));
+                }
+                None => diagnostics.error_with_hint(assign.left.span(), "not a parameter", EXAMPLE),
+            },
+            Expr::Call(call) if head(word).is_some_and(|(name, _)| name == "generate") => {
+                let forms: Vec<Expr> = call.args.iter().cloned().collect();
+                specialisation.request = request(&forms, call.span(), diagnostics);
+            }
+            _ => diagnostics.error_with_hint(word.span(), "not a part of a specialisation", EXAMPLE),
+        }
+    }
+    if specialisation.replacements.is_empty() {
+        diagnostics.error_with_hint(name.span(), "the specialisation fixes no parameter", EXAMPLE);
+    }
+    Some(specialisation)
+}

@@ -1,0 +1,73 @@
+//! What an expression of the source stands for while a function's body is followed.
+
+use crate::graph::ExprId;
+
+/// A number, or numbers under the names and places that the source gives them.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Value {
+    /// One number.
+    Number(ExprId),
+    /// `(a, b)`
+    Tuple(Vec<Value>),
+    /// `[a, b]`
+    Array(Vec<Value>),
+    /// `Name { field: a }`
+    Struct {
+        /// Path of the struct as written.
+        name: String,
+        /// The fields in the order of the literal.
+        fields: Vec<(String, Value)>,
+    },
+    /// A parameter of a struct type: each field is a symbol `path.field`.
+    Parameter {
+        /// The parameter's name.
+        path: String,
+    },
+}
+
+impl Value {
+    /// What the value is, for messages.
+    pub fn description(&self) -> &'static str {
+        match self {
+            Self::Number(_) => "a number",
+            Self::Tuple(_) => "a tuple",
+            Self::Array(_) => "an array",
+            Self::Struct { .. } => "a struct",
+            Self::Parameter { .. } => "a parameter of a struct type",
+        }
+    }
+
+    /// All numbers in order, with the way to each: `` for a number, `.0`, `[1]`, `.field`.
+    pub fn numbers(&self) -> Vec<(String, ExprId)> {
+        let prefixed = |prefix: String, value: &Value| -> Vec<(String, ExprId)> {
+            value.numbers().into_iter().map(|(path, id)| (format!("{prefix}{path}"), id)).collect()
+        };
+        match self {
+            Self::Number(id) => vec![(String::new(), *id)],
+            Self::Tuple(values) => {
+                values.iter().enumerate().flat_map(|(i, value)| prefixed(format!(".{i}"), value)).collect()
+            }
+            Self::Array(values) => {
+                values.iter().enumerate().flat_map(|(i, value)| prefixed(format!("[{i}]"), value)).collect()
+            }
+            Self::Struct { fields, .. } => {
+                fields.iter().flat_map(|(name, value)| prefixed(format!(".{name}"), value)).collect()
+            }
+            Self::Parameter { .. } => Vec::new(),
+        }
+    }
+
+    /// The same shape with other numbers, taken in order.
+    pub fn with_numbers(&self, numbers: &mut impl Iterator<Item = ExprId>) -> Self {
+        match self {
+            Self::Number(old) => Self::Number(numbers.next().unwrap_or(*old)),
+            Self::Tuple(values) => Self::Tuple(values.iter().map(|value| value.with_numbers(numbers)).collect()),
+            Self::Array(values) => Self::Array(values.iter().map(|value| value.with_numbers(numbers)).collect()),
+            Self::Struct { name, fields } => Self::Struct {
+                name: name.clone(),
+                fields: fields.iter().map(|(field, value)| (field.clone(), value.with_numbers(numbers))).collect(),
+            },
+            Self::Parameter { path } => Self::Parameter { path: path.clone() },
+        }
+    }
+}

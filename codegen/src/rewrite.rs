@@ -1,0 +1,57 @@
+//! Sound rewriting: each rule is a row of [`rules::RULES`], applied to every node until none applies.
+//!
+//! A rule holds wherever its left side is defined, on the declared domain of the symbols: `sqrt(x²)` is `|x|`, and `x`
+//! only where x ≥ 0 is known.
+
+pub mod rules;
+
+use crate::graph::{ExprId, Function, Graph};
+
+/// A rewriting rule.
+pub struct Rule {
+    /// A name for tests and messages.
+    pub name: &'static str,
+    /// An example of the left side, as Rust.
+    pub pattern: &'static str,
+    /// What the example becomes.
+    pub result: &'static str,
+    /// What must be known of the example's symbols, as in `#[domain(…)]`.
+    pub given: &'static str,
+    /// The rule: the node that stands for this one, if the rule applies.
+    pub apply: fn(&mut Graph, ExprId) -> Option<ExprId>,
+}
+
+/// How often the rules may apply to one node in a row: more than any chain of them, so that no mistake in a rule hangs
+/// a build.
+const MOST_STEPS: usize = 64;
+
+/// Rewrites the roots into a new graph.
+pub fn rewrite(graph: &Graph, roots: &[ExprId]) -> (Graph, Vec<ExprId>) {
+    let mut target = Graph::with_symbols_of(graph);
+    let roots = graph.rebuild(&mut target, roots, |target, _, image| simplify(target, image));
+    (target, roots)
+}
+
+/// Applies the rules to one node, whose operands are rewritten already, until none applies.
+pub fn simplify(graph: &mut Graph, id: ExprId) -> ExprId {
+    let mut current = id;
+    for _ in 0..MOST_STEPS {
+        match rules::RULES.iter().find_map(|rule| (rule.apply)(graph, current).filter(|next| *next != current)) {
+            Some(next) => current = next,
+            None => break,
+        }
+    }
+    current
+}
+
+/// An elementary function of one operand, simplified.
+pub fn applied(graph: &mut Graph, function: Function, operand: ExprId) -> ExprId {
+    let id = graph.apply(function, vec![operand]);
+    simplify(graph, id)
+}
+
+/// A product, simplified.
+pub fn product(graph: &mut Graph, factors: Vec<(ExprId, i32)>) -> ExprId {
+    let id = graph.product(factors);
+    simplify(graph, id)
+}

@@ -1,0 +1,379 @@
+//! The table of rules.
+
+use std::collections::BTreeMap;
+
+use num_bigint::BigInt;
+use num_traits::{One, Signed, Zero};
+
+use super::{Rule, applied, product};
+use crate::graph::{ExprId, Function, Graph, Node, Rational, whole};
+
+/// All rules, in the order in which they are tried.
+#[rustfmt::skip]
+pub const RULES: &[Rule] = &[
+    Rule { name: "root of a power",        pattern: "(x.powi(2) * y).sqrt()",                 result: "x.abs() * y.sqrt()",                    given: "",                   apply: root_of_power },
+    Rule { name: "root of a known square", pattern: "(x.powi(2) * y).sqrt()",                 result: "x * y.sqrt()",                          given: "x >= 0.0",           apply: root_of_power },
+    Rule { name: "root of a multiple",     pattern: "(4.0 * x).sqrt()",                       result: "2.0 * x.sqrt()",                        given: "",                   apply: root_of_multiple },
+    Rule { name: "power of a root",        pattern: "x.sqrt().powi(3)",                       result: "x * x.sqrt()",                          given: "",                   apply: power_of_root },
+    Rule { name: "root over its square",   pattern: "x.sqrt() / x",                           result: "1.0 / x.sqrt()",                        given: "",                   apply: root_and_power },
+    Rule { name: "square over its root",   pattern: "x / x.sqrt()",                           result: "x.sqrt()",                              given: "",                   apply: root_and_power },
+    Rule { name: "root of a quotient",     pattern: "(x / y).sqrt() / z",                     result: "(x * y).sqrt() / (y.abs() * z)",        given: "",                   apply: root_of_quotient },
+    Rule { name: "inverse root",           pattern: "1.0 / (x / y).sqrt()",                   result: "(y / x).sqrt()",                        given: "",                   apply: inverse_root },
+    Rule { name: "nested fraction",        pattern: "1.0 / (x / y - z / w)",                  result: "y * w / (x * w - y * z)",               given: "",                   apply: nested_fraction },
+    Rule { name: "nested absolute fraction", pattern: "1.0 / (x / y - z / w).abs()",          result: "y.abs() * w.abs() / (x * w - y * z).abs()", given: "",               apply: nested_absolute_fraction },
+    Rule { name: "even power of a size",   pattern: "x.abs().powi(2)",                        result: "x.powi(2)",                             given: "",                   apply: even_power_of_absolute },
+    Rule { name: "size of a known sign",   pattern: "(x * y).abs()",                          result: "-x * y.abs()",                          given: "x <= 0.0",           apply: absolute_of_product },
+    Rule { name: "size of a positive",     pattern: "(x + y).abs()",                          result: "x + y",                                 given: "x > 0.0, y >= 0.0",  apply: absolute_of_known_sign },
+    Rule { name: "size of a negative",     pattern: "(x + y).abs()",                          result: "-(x + y)",                              given: "x < 0.0, y <= 0.0",  apply: absolute_of_known_sign },
+    Rule { name: "size of a multiple",     pattern: "(-2.0 * x).abs()",                       result: "2.0 * x.abs()",                         given: "",                   apply: absolute_of_product },
+    Rule { name: "size of a power",        pattern: "(x.powi(2) * y).abs()",                  result: "x.powi(2) * y.abs()",                   given: "",                   apply: absolute_of_product },
+    Rule { name: "even cosine",            pattern: "(-2.0 * x).cos()",                       result: "(2.0 * x).cos()",                       given: "",                   apply: even_function },
+    Rule { name: "cosine of a size",       pattern: "x.abs().cos()",                          result: "x.cos()",                               given: "",                   apply: even_function },
+    Rule { name: "odd sine",               pattern: "(-2.0 * x).sin()",                       result: "-(2.0 * x).sin()",                      given: "",                   apply: odd_function },
+    Rule { name: "odd tangent",            pattern: "(-2.0 * x).tan()",                       result: "-(2.0 * x).tan()",                      given: "",                   apply: odd_function },
+    Rule { name: "sine and cosine",        pattern: "3.0 * x.sin().powi(2) + 3.0 * x.cos().powi(2) + y", result: "3.0 + y",                    given: "",                   apply: sine_and_cosine },
+    Rule { name: "logarithm of exp",       pattern: "x.exp().ln()",                           result: "x",                                     given: "",                   apply: inverse_functions },
+    Rule { name: "exp of a logarithm",     pattern: "x.ln().exp()",                           result: "x",                                     given: "",                   apply: inverse_functions },
+    Rule { name: "smaller of equals",      pattern: "x.min(x)",                               result: "x",                                     given: "",                   apply: one_of_equals },
+    Rule { name: "larger of equals",       pattern: "x.max(x)",                               result: "x",                                     given: "",                   apply: one_of_equals },
+    Rule { name: "smaller by sign",        pattern: "x.min(y)",                               result: "y",                                     given: "x >= 0.0, y <= 0.0", apply: extreme_by_sign },
+    Rule { name: "larger by sign",         pattern: "x.max(0.0)",                             result: "x",                                     given: "x >= 0.0",           apply: extreme_by_sign },
+    Rule { name: "value at zero",          pattern: "0.0_f64.exp() + 0.0_f64.sin() + 0.0_f64.cos() + 1.0_f64.ln()", result: "2.0",             given: "",                   apply: value_at_number },
+];
+
+/// A rational multiple of a product, taken apart.
+fn parts(graph: &Graph, id: ExprId) -> (Rational, Vec<(ExprId, i32)>) {
+    match graph.node(id) {
+        Node::Number(value) => (value.clone(), Vec::new()),
+        Node::Sum(terms) if terms.len() == 1 => {
+            let (coefficient, factors) = parts(graph, terms[0].0);
+            (&terms[0].1 * coefficient, factors)
+        }
+        Node::Product(factors) => (Rational::one(), factors.clone()),
+        _ => (Rational::one(), vec![(id, 1)]),
+    }
+}
+
+/// The operand of an elementary function of one operand.
+fn operand_of(graph: &Graph, id: ExprId, function: Function) -> Option<ExprId> {
+    match graph.node(id) {
+        Node::Apply(known, operands) if *known == function => operands.first().copied(),
+        _ => None,
+    }
+}
+
+fn scaled(graph: &mut Graph, coefficient: Rational, factors: Vec<(ExprId, i32)>) -> ExprId {
+    let id = product(graph, factors);
+    graph.scale(id, coefficient)
+}
+
+fn root_of_power(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
+    let (coefficient, factors) = parts(graph, operand_of(graph, id, Function::Sqrt)?);
+    if factors.iter().all(|(_, exponent)| exponent.abs() < 2) {
+        return None;
+    }
+    let mut outside = Vec::new();
+    let mut inside = Vec::new();
+    for (factor, exponent) in factors {
+        let half = exponent / 2;
+        if half != 0 {
+            outside.push((applied(graph, Function::Abs, factor), half));
+        }
+        inside.push((factor, exponent % 2));
+    }
+    let radicand = scaled(graph, coefficient, inside);
+    outside.push((applied(graph, Function::Sqrt, radicand), 1));
+    Some(product(graph, outside))
+}
+
+/// The rational root of a rational square.
+fn exact_root(value: &Rational) -> Option<Rational> {
+    let root = |whole: &BigInt| Some(whole.sqrt()).filter(|root| root * root == *whole);
+    if value.is_negative() {
+        return None;
+    }
+    Some(Rational::new(root(value.numer())?, root(value.denom())?))
+}
+
+fn root_of_multiple(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
+    let operand = operand_of(graph, id, Function::Sqrt)?;
+    let (coefficient, factors) = parts(graph, operand);
+    let root = exact_root(&coefficient).filter(|root| !root.is_one())?;
+    let radicand = product(graph, factors);
+    let inner = if radicand == graph.one() { radicand } else { applied(graph, Function::Sqrt, radicand) };
+    Some(graph.scale(inner, root))
+}
+
+fn power_of_root(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
+    let Node::Product(factors) = graph.node(id).clone() else { return None };
+    let mut changed = Vec::new();
+    for (factor, exponent) in &factors {
+        match operand_of(graph, *factor, Function::Sqrt).filter(|_| exponent.abs() > 1) {
+            Some(radicand) => changed.extend([(radicand, exponent / 2), (*factor, exponent % 2)]),
+            None => changed.push((*factor, *exponent)),
+        }
+    }
+    (changed.len() > factors.len()).then(|| product(graph, changed))
+}
+
+/// x·x^(−1/2) and x^(−1)·x^(1/2): the root alone.
+fn root_and_power(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
+    let Node::Product(factors) = graph.node(id).clone() else { return None };
+    let powers: BTreeMap<ExprId, i32> = factors.iter().copied().collect();
+    for (root, exponent) in &factors {
+        let Some(radicand) = operand_of(graph, *root, Function::Sqrt) else { continue };
+        let Some(power) = powers.get(&radicand) else { continue };
+        if power.signum() != exponent.signum() && exponent.abs() == 1 {
+            let mut changed = factors.clone();
+            changed.extend([(radicand, -power.signum()), (*root, 2 * power.signum())]);
+            // The factors √x^(±2) and x^(∓1) cancel; they are given so that one constructor does the bookkeeping.
+            return Some(product(graph, changed));
+        }
+    }
+    None
+}
+
+/// Beside another division, √(a/b) is √(ab)/|b|: one division for both.
+fn root_of_quotient(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
+    let Node::Product(factors) = graph.node(id).clone() else { return None };
+    let has_fraction = |graph: &Graph, id: ExprId| {
+        operand_of(graph, id, Function::Sqrt)
+            .is_some_and(|radicand| parts(graph, radicand).1.iter().any(|(_, exponent)| *exponent < 0))
+    };
+    let fractions = factors.iter().filter(|(factor, _)| has_fraction(graph, *factor)).count();
+    let divisions = factors.iter().filter(|(_, exponent)| *exponent < 0).count();
+    if fractions == 0 || fractions + divisions < 2 {
+        return None;
+    }
+    let mut changed = Vec::new();
+    for (factor, exponent) in factors {
+        let Some(radicand) = operand_of(graph, factor, Function::Sqrt).filter(|_| has_fraction(graph, factor)) else {
+            changed.push((factor, exponent));
+            continue;
+        };
+        let (coefficient, inner) = parts(graph, radicand);
+        let mut joined = Vec::new();
+        for (inner_factor, inner_exponent) in inner {
+            if inner_exponent < 0 {
+                changed.push((applied(graph, Function::Abs, inner_factor), inner_exponent * exponent));
+            }
+            joined.push((inner_factor, inner_exponent.abs()));
+        }
+        let radicand = scaled(graph, coefficient, joined);
+        changed.push((applied(graph, Function::Sqrt, radicand), exponent));
+    }
+    Some(product(graph, changed))
+}
+
+fn inverse_root(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
+    let Node::Product(factors) = graph.node(id).clone() else { return None };
+    let (position, radicand) = factors.iter().enumerate().find_map(|(position, (factor, exponent))| {
+        let radicand = operand_of(graph, *factor, Function::Sqrt).filter(|_| *exponent == -1)?;
+        let fraction = parts(graph, radicand).1.iter().any(|(_, exponent)| *exponent < 0);
+        fraction.then_some((position, radicand))
+    })?;
+    let flipped = graph.power(radicand, -1);
+    let mut changed = factors;
+    changed[position] = (applied(graph, Function::Sqrt, flipped), 1);
+    Some(product(graph, changed))
+}
+
+/// The least common denominator of a sum's terms, and the sum times it; None where no term is a fraction.
+fn common_denominator(graph: &mut Graph, sum: ExprId) -> Option<(Vec<(ExprId, i32)>, ExprId)> {
+    let Node::Sum(terms) = graph.node(sum).clone() else { return None };
+    let mut denominator: BTreeMap<ExprId, i32> = BTreeMap::new();
+    for (term, _) in &terms {
+        for (factor, exponent) in parts(graph, *term).1 {
+            if exponent < 0 {
+                let power = denominator.entry(factor).or_insert(0);
+                *power = (*power).max(-exponent);
+            }
+        }
+    }
+    if denominator.is_empty() || terms.len() < 2 {
+        return None;
+    }
+    let denominator: Vec<(ExprId, i32)> = denominator.into_iter().collect();
+    let mut numerators = Vec::new();
+    for (term, coefficient) in terms {
+        let mut factors = denominator.clone();
+        factors.push((term, 1));
+        numerators.push((product(graph, factors), coefficient));
+    }
+    let numerator = graph.sum(numerators);
+    Some((denominator, super::simplify(graph, numerator)))
+}
+
+fn nested_fraction(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
+    let Node::Product(factors) = graph.node(id).clone() else { return None };
+    for (position, (factor, exponent)) in factors.iter().enumerate() {
+        if *exponent < 0
+            && let Some((denominator, numerator)) = common_denominator(graph, *factor)
+        {
+            let mut changed = factors.clone();
+            changed[position] = (numerator, *exponent);
+            changed.extend(denominator.into_iter().map(|(factor, power)| (factor, -power * exponent)));
+            return Some(product(graph, changed));
+        }
+    }
+    None
+}
+
+fn nested_absolute_fraction(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
+    let Node::Product(factors) = graph.node(id).clone() else { return None };
+    for (position, (factor, exponent)) in factors.iter().enumerate() {
+        let inner = operand_of(graph, *factor, Function::Abs).filter(|_| *exponent < 0);
+        if let Some(inner) = inner
+            && let Some((denominator, numerator)) = common_denominator(graph, inner)
+        {
+            let mut changed = factors.clone();
+            changed[position] = (applied(graph, Function::Abs, numerator), *exponent);
+            for (factor, power) in denominator {
+                changed.push((applied(graph, Function::Abs, factor), -power * exponent));
+            }
+            return Some(product(graph, changed));
+        }
+    }
+    None
+}
+
+fn even_power_of_absolute(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
+    let Node::Product(factors) = graph.node(id).clone() else { return None };
+    let mut changed = factors.clone();
+    for (factor, exponent) in &mut changed {
+        if *exponent % 2 == 0
+            && let Some(inner) = operand_of(graph, *factor, Function::Abs)
+        {
+            *factor = inner;
+        }
+    }
+    (changed != factors).then(|| product(graph, changed))
+}
+
+fn absolute_of_known_sign(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
+    let operand = operand_of(graph, id, Function::Abs)?;
+    let sign = graph.sign(operand);
+    if sign.is_not_negative() {
+        Some(operand)
+    } else if sign.is_not_positive() {
+        Some(graph.negate(operand))
+    } else {
+        None
+    }
+}
+
+/// |xy| = |x||y|, with each factor's sign where it is known.
+fn absolute_of_product(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
+    let operand = operand_of(graph, id, Function::Abs)?;
+    let (coefficient, factors) = parts(graph, operand);
+    if coefficient.is_one() && factors.iter().all(|(factor, exponent)| (*factor, *exponent) == (operand, 1)) {
+        return None;
+    }
+    let mut changed = Vec::new();
+    for (factor, exponent) in factors {
+        let size = if exponent % 2 == 0 { factor } else { applied(graph, Function::Abs, factor) };
+        changed.push((size, exponent));
+    }
+    Some(scaled(graph, coefficient.abs(), changed))
+}
+
+fn even_function(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
+    let operand = operand_of(graph, id, Function::Cos)?;
+    if let Some(inner) = operand_of(graph, operand, Function::Abs) {
+        return Some(applied(graph, Function::Cos, inner));
+    }
+    let positive = negated_if_negative(graph, operand)?;
+    Some(applied(graph, Function::Cos, positive))
+}
+
+fn odd_function(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
+    let function = [Function::Sin, Function::Tan].into_iter().find(|f| operand_of(graph, id, *f).is_some())?;
+    let operand = operand_of(graph, id, function)?;
+    let positive = negated_if_negative(graph, operand)?;
+    let value = applied(graph, function, positive);
+    Some(graph.negate(value))
+}
+
+/// The negative of a sum that begins with a negative term.
+fn negated_if_negative(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
+    match graph.node(id) {
+        Node::Sum(terms) if terms.first().is_some_and(|(_, coefficient)| coefficient.is_negative()) => {
+            Some(graph.negate(id)).filter(|negative| *negative != id)
+        }
+        _ => None,
+    }
+}
+
+fn sine_and_cosine(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
+    let Node::Sum(terms) = graph.node(id).clone() else { return None };
+    let squared = |graph: &Graph, id: ExprId, function: Function| match graph.node(id) {
+        Node::Product(factors) => match factors.as_slice() {
+            [(factor, 2)] => operand_of(graph, *factor, function),
+            _ => None,
+        },
+        _ => None,
+    };
+    for (sine, coefficient) in &terms {
+        let Some(angle) = squared(graph, *sine, Function::Sin) else { continue };
+        let partner = terms
+            .iter()
+            .find(|(term, other)| other == coefficient && squared(graph, *term, Function::Cos) == Some(angle));
+        if let Some((cosine, _)) = partner {
+            let (sine, cosine, one) = (*sine, *cosine, graph.one());
+            let mut changed: Vec<_> = terms.iter().filter(|(term, _)| *term != sine && *term != cosine).cloned().collect();
+            changed.push((one, coefficient.clone()));
+            return Some(graph.sum(changed));
+        }
+    }
+    None
+}
+
+fn inverse_functions(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
+    let outer = [(Function::Exp, Function::Ln), (Function::Ln, Function::Exp)];
+    outer.into_iter().find_map(|(outer, inner)| operand_of(graph, operand_of(graph, id, outer)?, inner))
+}
+
+fn one_of_equals(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
+    match graph.node(id) {
+        Node::Apply(Function::Min | Function::Max, operands) if operands[0] == operands[1] => Some(operands[0]),
+        Node::Apply(Function::Select, operands) if operands[2] == operands[3] => Some(operands[2]),
+        _ => None,
+    }
+}
+
+fn extreme_by_sign(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
+    let Node::Apply(function @ (Function::Min | Function::Max), operands) = graph.node(id) else { return None };
+    let (a, b) = (operands[0], operands[1]);
+    let not_below = |x: ExprId, y: ExprId| graph.sign(x).is_not_negative() && graph.sign(y).is_not_positive();
+    let larger_first = *function == Function::Max;
+    if not_below(a, b) {
+        Some(if larger_first { a } else { b })
+    } else if not_below(b, a) {
+        Some(if larger_first { b } else { a })
+    } else {
+        None
+    }
+}
+
+/// Functions of a number whose value is rational, applied wherever they stand in the node's operands' place.
+fn value_at_number(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
+    let Node::Apply(function, operands) = graph.node(id).clone() else { return None };
+    let value = graph.as_number(*operands.first()?)?.clone();
+    let result = match function {
+        Function::Exp if value.is_zero() => whole(1),
+        Function::Cos if value.is_zero() => whole(1),
+        Function::Sin | Function::Tan if value.is_zero() => whole(0),
+        Function::Ln if value.is_one() => whole(0),
+        Function::Sqrt if value.is_zero() => whole(0),
+        Function::Sqrt => exact_root(&value)?,
+        Function::Abs => value.abs(),
+        Function::Sign if value.is_negative() => whole(-1),
+        Function::Sign => whole(1),
+        Function::Min | Function::Max => {
+            let other = graph.as_number(operands[1])?.clone();
+            if function == Function::Min { value.min(other) } else { value.max(other) }
+        }
+        _ => return None,
+    };
+    Some(graph.number(result))
+}

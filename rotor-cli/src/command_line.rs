@@ -1,0 +1,166 @@
+//! The command line: every command, its options and its help.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand};
+
+const EXIT_CODES: &str = "Exit codes: 0 done; 1 it ran, and a check failed; 2 the input cannot be used, or a \
+file could not be read or written.";
+
+/// The folder that a report goes to unless told otherwise.
+const DEFAULT_FOLDER: &str = "rotor-report";
+
+/// Parametric instability of a rotor with an asymmetric disk and a transverse shaft crack
+///
+/// Where a Jeffcott rotor becomes unstable, how wide its simple and combination instability regions are, and
+/// which crack closes them. With no command, it reports on the paper's rotor.
+#[derive(Debug, Parser)]
+#[command(name = "rotor", version, max_term_width = 100, disable_help_subcommand = true)]
+#[command(after_help = "Examples:\n  \
+  $ rotor\n  \
+  $ rotor init -o my-rotor.toml && rotor report my-rotor.toml -o my-report\n\n\
+Run `rotor COMMAND --help` for a command and its examples.\n\
+Exit codes: 0 done; 1 it ran, and a check failed; 2 the input cannot be used.")]
+pub(crate) struct CommandLine {
+    /// What to do; nothing is `report`.
+    #[command(subcommand)]
+    pub(crate) command: Option<Command>,
+}
+
+/// The commands.
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    Report(ReportArguments),
+    Evaluate(EvaluateArguments),
+    Zup(ZupArguments),
+    Init(InitArguments),
+    Show(ShowArguments),
+}
+
+/// Report on one rotor: coefficients, instability regions, figures
+///
+/// Prints the tables and writes them, with Figures 3 to 9 of the paper drawn for this rotor and a map of the
+/// widths, to a folder: report.html (self-contained), and each figure as SVG, PNG and CSV. The widths are given
+/// three times: by the paper's approximation, exactly, and by Hill's method. The files appear once all are made.
+#[derive(Args, Debug)]
+#[command(after_help = format!("Examples:\n  \
+  $ rotor report\n  \
+  $ rotor init -o my-rotor.toml && rotor report my-rotor.toml -o my-report\n\n\
+The check that can fail (exit code 1): a width by Hill's method and the exact one differ by more than 1e-6 of it.\n\
+{EXIT_CODES}"))]
+pub(crate) struct ReportArguments {
+    /// The rotor, a TOML file as `rotor init` writes it; `-` is standard input. Without it, the paper's rotor
+    #[arg(value_name = "FILE.toml")]
+    pub(crate) file: Option<PathBuf>,
+
+    /// The folder for the files
+    #[arg(short, long, value_name = "FOLDER", default_value = DEFAULT_FOLDER)]
+    pub(crate) output: PathBuf,
+}
+
+impl ReportArguments {
+    /// What `rotor` without a command does.
+    pub(crate) fn on_the_papers_rotor() -> Self {
+        Self { file: None, output: PathBuf::from(DEFAULT_FOLDER) }
+    }
+}
+
+/// Evaluate a table of rotors
+///
+/// Each row of a CSV table is a rotor. Columns named like the inputs (disk_mass or disk.mass, crack_depth_ratio,
+/// crack_model, ...) are read; inputs without a column come from --base. All columns are kept as they are,
+/// in their place; the results follow, then a column `error`. Numbers are written so that they read back exactly.
+///
+/// A region that does not exist leaves its cells empty and says why in `error`; that is an answer, not a mistake.
+/// A row that is no rotor stops the run, and no file is written. An empty cell in an input's column is such a
+/// mistake: the base rotor stands in for whole columns only.
+#[derive(Args, Debug)]
+#[command(after_help = format!("Examples:\n  \
+  $ printf 'crack.depth_ratio\\n0.1\\n0.2\\n' | rotor evaluate - --quantities sir_width,cir_width\n  \
+  $ printf 'name,crack_angle\\nA,0\\nB,1.5\\n' > table.csv && rotor evaluate table.csv -o widths.csv\n\n\
+The check that can fail (exit code 1): with --keep-going, one row or more is no rotor.\n\
+Results: {}\n{EXIT_CODES}", crate::evaluate::result_names().join(" ")))]
+pub(crate) struct EvaluateArguments {
+    /// The table, comma-separated with a header row; `-` is standard input
+    #[arg(value_name = "TABLE.csv")]
+    pub(crate) table: PathBuf,
+
+    /// Where the table with its results goes; `-` is standard output. A file appears whole or not at all
+    #[arg(short, long, value_name = "OUT.csv", default_value = "-")]
+    pub(crate) output: PathBuf,
+
+    /// The results to add, in this order, or `all`
+    #[arg(short, long, value_name = "NAMES", value_delimiter = ',', default_value = "all")]
+    pub(crate) quantities: Vec<String>,
+
+    /// The rotor that stands in for inputs without a column; without it, the paper's rotor
+    #[arg(short, long, value_name = "FILE.toml")]
+    pub(crate) base: Option<PathBuf>,
+
+    /// Keep rows that are no rotor: their results stay empty, `error` says why
+    #[arg(short, long)]
+    pub(crate) keep_going: bool,
+
+    /// Drop columns of the table that have the name of a result asked for, or `error`; without it they are refused
+    #[arg(short, long)]
+    pub(crate) replace: bool,
+}
+
+/// The zero unstable points: which crack closes an instability region
+///
+/// For each region: the disk asymmetry that closes it, the crack angle at which it closes, the crack depth and the
+/// crack positions that would, everything else as in the file. `none in range` is an answer too.
+#[derive(Args, Debug)]
+#[command(after_help = format!("Examples:\n  \
+  $ rotor zup\n  \
+  $ rotor init -o my-rotor.toml && rotor zup my-rotor.toml\n\n{EXIT_CODES}"))]
+pub(crate) struct ZupArguments {
+    /// The rotor, a TOML file as `rotor init` writes it; `-` is standard input. Without it, the paper's rotor
+    #[arg(value_name = "FILE.toml")]
+    pub(crate) file: Option<PathBuf>,
+}
+
+/// Write a rotor file to start from: the paper's rotor, commented
+#[derive(Args, Debug)]
+#[command(after_help = format!("Examples:\n  \
+  $ rotor init\n  \
+  $ rotor init -o - | rotor zup -\n\n{EXIT_CODES}"))]
+pub(crate) struct InitArguments {
+    /// The file to write; `-` is standard output
+    #[arg(short, long, value_name = "FILE.toml", default_value = "rotor.toml")]
+    pub(crate) output: PathBuf,
+
+    /// Write over an existing file
+    #[arg(short, long)]
+    pub(crate) force: bool,
+}
+
+/// Show an equation, as it is written, typeset, or as a graph
+#[derive(Args, Debug)]
+#[command(after_help = format!("Examples:\n  \
+  $ rotor show phi --latex\n\n{EXIT_CODES}"))]
+pub(crate) struct ShowArguments {
+    /// The equation's name, as in the library's module `equations`
+    #[arg(value_name = "NAME")]
+    pub(crate) name: String,
+
+    #[command(flatten)]
+    pub(crate) form: FormArguments,
+}
+
+/// In which form to show an equation.
+#[derive(Args, Debug)]
+#[group(multiple = false)]
+pub(crate) struct FormArguments {
+    /// As the generated Rust (this is the default)
+    #[arg(long)]
+    pub(crate) rust: bool,
+
+    /// As LaTeX
+    #[arg(long)]
+    pub(crate) latex: bool,
+
+    /// As a graph, in Graphviz' language
+    #[arg(long)]
+    pub(crate) graph: bool,
+}

@@ -1,0 +1,54 @@
+//! From the command line to the command, and from its outcome to the exit code.
+
+use std::process::ExitCode;
+
+use clap::Parser;
+
+use crate::command_line::{Command, CommandLine, FormArguments, ReportArguments, ShowArguments};
+use crate::failure::{Failure, Outcome};
+use crate::show::Form;
+use crate::{evaluate, init, output, report, show, zup};
+
+/// Runs the command that the command line asks for.
+pub(crate) fn run() -> ExitCode {
+    // A wrong command line ends here, with exit code 2.
+    let command = CommandLine::parse().command;
+    match dispatch(command) {
+        Ok(Outcome::Passed) => ExitCode::SUCCESS,
+        Ok(Outcome::CheckFailed) => ExitCode::from(1),
+        Err(failure) => {
+            if let Some(message) = failure.message() {
+                output::remark(&message);
+            }
+            failure.exit_code()
+        }
+    }
+}
+
+fn dispatch(command: Option<Command>) -> Result<Outcome, Failure> {
+    match command {
+        None => report::run(&ReportArguments::on_the_papers_rotor()),
+        Some(Command::Report(arguments)) => report::run(&arguments),
+        Some(Command::Evaluate(arguments)) => evaluate::run(&arguments),
+        Some(Command::Zup(arguments)) => zup::run(&arguments),
+        Some(Command::Init(arguments)) => init::run(&arguments),
+        Some(Command::Show(arguments)) => show_equation(&arguments),
+    }
+}
+
+fn show_equation(arguments: &ShowArguments) -> Result<Outcome, Failure> {
+    let shown = show::run(&arguments.name, Form::from(&arguments.form))
+        .map_err(|error| Failure::input(error.to_string()))?;
+    output::print(&shown)?;
+    Ok(Outcome::Passed)
+}
+
+impl From<&FormArguments> for Form {
+    fn from(arguments: &FormArguments) -> Self {
+        match arguments {
+            FormArguments { latex: true, .. } => Self::Latex,
+            FormArguments { graph: true, .. } => Self::Graph,
+            FormArguments { .. } => Self::Rust,
+        }
+    }
+}

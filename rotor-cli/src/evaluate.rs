@@ -1,0 +1,203 @@
+//! `rotor evaluate`: results for each rotor of a table.
+
+mod columns;
+mod table;
+
+use std::fs::{self, File};
+use std::io::{self, BufRead, BufReader};
+use std::path::Path;
+
+use csv::ByteRecord;
+use rayon::prelude::*;
+use rotor_core::quantity::{self, Quantity};
+use rotor_core::rotor::{Rotor, RotorParameters};
+
+use crate::command_line::EvaluateArguments;
+use crate::failure::{Failure, Outcome};
+use crate::output::{self, Destination};
+use crate::rotor_file;
+use columns::{Columns, ERROR};
+use table::{Row, Rows};
+
+/// Rows that are read before they are evaluated together, on all cores.
+const BATCH: usize = 4096;
+
+/// The names of all results.
+pub(crate) fn result_names() -> Vec<&'static str> {
+    Quantity::ALL.into_iter().map(Quantity::name).collect()
+}
+
+/// Evaluates the table.
+///
+/// # Errors
+///
+/// Where the table, a name of a result, the base rotor or, without `--keep-going`, a row cannot be used.
+pub(crate) fn run(arguments: &EvaluateArguments) -> Result<Outcome, Failure> {
+    let quantities = quantities(&arguments.quantities)?;
+    if arguments.table.as_os_str() == "-" && arguments.base.as_ref().is_some_and(|base| base.as_os_str() == "-") {
+        return Err(Failure::input("the table and the base rotor cannot both be standard input"));
+    }
+    let base = rotor_file::load(arguments.base.as_deref())?;
+    let name = name_of(&arguments.table);
+    let mut rows = Rows::new(open(&arguments.table)?);
+    let header = rows
+        .next_row()
+        .map_err(|error| Failure::input(format!("{name}: {error}")))?
+        .ok_or_else(|| Failure::input(format!("{name} is empty: a header row is wanted")))?;
+    let headings: Vec<_> = quantities.iter().map(|quantity| quantity.name()).chain([ERROR]).collect();
+    let columns = Columns::new(&header, &headings, arguments.replace)
+        .map_err(|failure| Failure::input(format!("{name}: {failure}")))?;
+    for remark in columns.remarks() {
+        output::remark(&format!("warning: {name}: {remark}"));
+    }
+    let mut evaluation = Evaluation {
+        name,
+        columns,
+        quantities,
+        base: *base.rotor.parameters(),
+        keep_going: arguments.keep_going,
+        failed: 0,
+    };
+    let mut writer = csv::Writer::from_writer(Destination::open(&arguments.output)?);
+    let mut titles: ByteRecord = evaluation.columns.carried(&header.fields).collect();
+    titles.extend(headings);
+    write(&mut writer, &titles)?;
+    let count = evaluation.all(&mut rows, &mut writer)?;
+    let destination = writer
+        .into_inner()
+        .map_err(|error| Failure::stream("write", "the results", io::Error::from(error.error().kind())))?;
+    destination.finish()?;
+    Ok(evaluation.outcome(count))
+}
+
+/// The results asked for, each once, in the order asked for.
+fn quantities(names: &[String]) -> Result<Vec<Quantity>, Failure> {
+    let mut quantities = Vec::new();
+    for name in names.iter().map(|name| name.trim()) {
+        let asked = match name {
+            "all" => Quantity::ALL.to_vec(),
+            name => vec![name.parse::<Quantity>().map_err(|error| {
+                Failure::input(format!("--quantities: {error}; `rotor evaluate --help` lists all"))
+            })?],
+        };
+        for quantity in asked {
+            if !quantities.contains(&quantity) {
+                quantities.push(quantity);
+            }
+        }
+    }
+    Ok(quantities)
+}
+
+fn name_of(path: &Path) -> String {
+    if path.as_os_str() == "-" { "standard input".to_owned() } else { path.display().to_string() }
+}
+
+fn open(path: &Path) -> Result<Box<dyn BufRead>, Failure> {
+    if path.as_os_str() == "-" {
+        return Ok(Box::new(io::stdin().lock()));
+    }
+    if fs::metadata(path).is_ok_and(|metadata| metadata.is_dir()) {
+        return Err(Failure::input(format!("cannot read `{}`: it is a folder", path.display())));
+    }
+    let file = File::open(path).map_err(|source| Failure::file("read", path, source))?;
+    Ok(Box::new(BufReader::new(file)))
+}
+
+fn write(writer: &mut csv::Writer<Destination>, record: &ByteRecord) -> Result<(), Failure> {
+    writer.write_byte_record(record).map_err(|error| match error.into_kind() {
+        csv::ErrorKind::Io(source) => Failure::stream("write", "the results", source),
+        other => Failure::input(format!("cannot write the results: {other:?}")),
+    })
+}
+
+/// A table on its way.
+struct Evaluation {
+    name: String,
+    columns: Columns,
+    quantities: Vec<Quantity>,
+    base: RotorParameters,
+    keep_going: bool,
+    /// Rows that are no rotor.
+    failed: u64,
+}
+
+impl Evaluation {
+    /// Evaluates and writes row after row; how many there were.
+    fn all(
+        &mut self,
+        rows: &mut Rows<Box<dyn BufRead>>,
+        writer: &mut csv::Writer<Destination>,
+    ) -> Result<u64, Failure> {
+        let mut count = 0;
+        loop {
+            let batch = self.batch(rows)?;
+            if batch.is_empty() {
+                return Ok(count);
+            }
+            let results: Vec<_> = batch.par_iter().map(|row| self.row(row)).collect();
+            for (row, result) in batch.iter().zip(results) {
+                count += 1;
+                let (cells, error) = match result {
+                    Ok(result) => result,
+                    Err(why) if self.keep_going => {
+                        self.failed += 1;
+                        (vec![String::new(); self.quantities.len()], why)
+                    }
+                    Err(why) => {
+                        let text = format!("{}: line {}: {why}; no results are written", self.name, row.line);
+                        return Err(Failure::input(text));
+                    }
+                };
+                let mut record: ByteRecord = self.columns.carried(&row.fields).collect();
+                record.extend(cells);
+                record.push_field(error.as_bytes());
+                write(writer, &record)?;
+            }
+        }
+    }
+
+    fn batch(&self, rows: &mut Rows<Box<dyn BufRead>>) -> Result<Vec<Row>, Failure> {
+        let mut batch = Vec::new();
+        while batch.len() < BATCH {
+            match rows.next_row().map_err(|error| Failure::input(format!("{}: {error}", self.name)))? {
+                Some(row) => batch.push(row),
+                None => break,
+            }
+        }
+        Ok(batch)
+    }
+
+    /// The results of a row, empty where there is none, and the reasons for that.
+    fn row(&self, row: &Row) -> Result<(Vec<String>, String), String> {
+        let parameters = self.columns.parameters(row, &self.base)?;
+        let rotor = Rotor::new(parameters).map_err(|error| error.to_string())?;
+        let mut reasons: Vec<String> = Vec::new();
+        let cells = quantity::evaluate(&self.quantities, &rotor)
+            .into_iter()
+            .map(|result| match result {
+                // The shortest digits that read back as the same number.
+                Ok(value) => format!("{value:?}"),
+                Err(reason) => {
+                    let reason = reason.to_string();
+                    if !reasons.contains(&reason) {
+                        reasons.push(reason);
+                    }
+                    String::new()
+                }
+            })
+            .collect();
+        Ok((cells, reasons.join("; ")))
+    }
+
+    fn outcome(&self, count: u64) -> Outcome {
+        if self.failed == 0 {
+            return Outcome::Passed;
+        }
+        output::remark(&format!(
+            "{}: {} of {count} rows are no rotor, their results are empty and `{ERROR}` says why",
+            self.name, self.failed
+        ));
+        Outcome::CheckFailed
+    }
+}

@@ -1,0 +1,189 @@
+//! Which column of a table is which input, and which are carried through.
+
+use csv::ByteRecord;
+use rotor_core::rotor::{INPUTS, NumericInput, RotorParameters};
+
+use super::table::Row;
+use crate::failure::Failure;
+use crate::rotor_file::{CHOICES, nearest, set_choice};
+
+/// The column that says why a result is missing.
+pub(crate) const ERROR: &str = "error";
+
+/// What a column gives.
+#[derive(Clone, Copy, Debug)]
+enum Input {
+    Number(&'static NumericInput),
+    Choice(&'static str),
+}
+
+impl Input {
+    fn find(name: &str) -> Option<Self> {
+        if let Some(input) = NumericInput::find(name) {
+            return Some(Self::Number(input));
+        }
+        CHOICES
+            .iter()
+            .find(|(flat, section, key)| *flat == name || name.split_once('.') == Some((section, key)))
+            .map(|(flat, ..)| Self::Choice(flat))
+    }
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Number(input) => input.name,
+            Self::Choice(name) => name,
+        }
+    }
+}
+
+/// One column that is read.
+#[derive(Clone, Debug)]
+struct Column {
+    index: usize,
+    heading: String,
+    input: Input,
+}
+
+/// The columns of a table.
+#[derive(Clone, Debug)]
+pub(crate) struct Columns {
+    width: usize,
+    inputs: Vec<Column>,
+    /// Whether the column of each index is written out again.
+    kept: Vec<bool>,
+    /// What is odd but no mistake.
+    remarks: Vec<String>,
+}
+
+impl Columns {
+    /// Sorts the header's columns. `results` are the headings that are going to be added; columns that have one of
+    /// these are refused, or dropped with `replace`.
+    ///
+    /// # Errors
+    ///
+    /// Where an input has two columns, or a column is in the way of a result.
+    pub(crate) fn new(header: &Row, results: &[&str], replace: bool) -> Result<Self, Failure> {
+        let width = header.fields.len();
+        let mut columns = Self { width, inputs: Vec::new(), kept: vec![true; width], remarks: Vec::new() };
+        for (index, bytes) in header.fields.iter().enumerate() {
+            let heading = String::from_utf8_lossy(bytes).trim().to_owned();
+            if results.contains(&heading.as_str()) {
+                if !replace {
+                    return Err(Failure::input(format!(
+                        "line {}, column {}: `{heading}` is the name of a result that is to be added; rename the \
+                         column, ask for other results with --quantities, or drop it with --replace",
+                        header.line,
+                        index + 1,
+                    )));
+                }
+                columns.kept[index] = false;
+            } else if let Some(input) = Input::find(&heading) {
+                columns.add(header.line, Column { index, heading, input })?;
+            } else {
+                columns.remark_on(&heading);
+            }
+        }
+        if columns.inputs.is_empty() {
+            columns.remarks.push(no_inputs(header));
+        }
+        Ok(columns)
+    }
+
+    fn add(&mut self, line: u64, column: Column) -> Result<(), Failure> {
+        let name = column.input.name();
+        if let Some(first) = self.inputs.iter().find(|other| other.input.name() == name) {
+            return Err(Failure::input(format!(
+                "line {line}: `{name}` has two columns, {} (`{}`) and {} (`{}`)",
+                first.index + 1,
+                first.heading,
+                column.index + 1,
+                column.heading,
+            )));
+        }
+        self.inputs.push(column);
+        Ok(())
+    }
+
+    fn remark_on(&mut self, heading: &str) {
+        let flat = heading.replace(['.', ' ', '-'], "_");
+        let names = INPUTS.iter().map(|input| input.name).chain(CHOICES.iter().map(|choice| choice.0));
+        if let Some(near) = nearest(&flat, names) {
+            self.remarks.push(format!(
+                "column `{heading}` is no input and is only carried through; did you mean `{near}`?"
+            ));
+        }
+    }
+
+    /// What to tell the user about the header.
+    pub(crate) fn remarks(&self) -> &[String] {
+        &self.remarks
+    }
+
+    /// The fields that are carried through, in their order.
+    pub(crate) fn carried<'a>(&'a self, fields: &'a ByteRecord) -> impl Iterator<Item = &'a [u8]> {
+        // A row that is too short is filled up, one that is too long keeps what the header names.
+        (0..self.width)
+            .filter(|&index| self.kept[index])
+            .map(|index| fields.get(index).unwrap_or_default())
+    }
+
+    /// The rotor that a row describes; inputs without a column are the base rotor's.
+    ///
+    /// # Errors
+    ///
+    /// Which column's value is wrong, and what is allowed.
+    pub(crate) fn parameters(&self, row: &Row, base: &RotorParameters) -> Result<RotorParameters, String> {
+        if row.fields.len() != self.width {
+            return Err(format!("the row has {} fields, the header has {}", row.fields.len(), self.width));
+        }
+        let mut parameters = *base;
+        for column in &self.inputs {
+            let bytes = row.fields.get(column.index).unwrap_or_default();
+            let text = std::str::from_utf8(bytes)
+                .map_err(|_| format!("column `{}`: {:?} is not UTF-8", column.heading, String::from_utf8_lossy(bytes)))?
+                .trim();
+            match column.input {
+                Input::Number(input) => {
+                    let value = number(input, text).map_err(|why| format!("column `{}`: {why}", column.heading))?;
+                    (input.set)(&mut parameters, value);
+                }
+                Input::Choice(name) => set_choice(&mut parameters, name, text)
+                    .map_err(|why| format!("column `{}`: {why}", column.heading))?,
+            }
+        }
+        Ok(parameters)
+    }
+}
+
+/// Reads a number and holds it against what the input allows.
+fn number(input: &NumericInput, text: &str) -> Result<f64, String> {
+    let wants = format!("a number {} is wanted", input.allowed);
+    if text.is_empty() {
+        return Err(format!("the cell is empty, {wants}"));
+    }
+    // `nan`, `inf` and `infinity` would be read as floats.
+    let has_letters = text.chars().any(|letter| letter.is_alphabetic() && !matches!(letter, 'e' | 'E'));
+    let value: f64 = match text.parse() {
+        Ok(value) if !has_letters => value,
+        _ if text.contains(',') => return Err(format!("\"{text}\" is no number (write a point, not a comma), {wants}")),
+        _ => return Err(format!("\"{text}\" is no number, {wants}")),
+    };
+    if !value.is_finite() {
+        return Err(format!("\"{text}\" is too large for a number in double precision, {wants}"));
+    }
+    if !input.allowed.contains(value) {
+        return Err(format!("\"{text}\" is not allowed, {wants}"));
+    }
+    Ok(value)
+}
+
+/// What to say of a header in which no input is found.
+fn no_inputs(header: &Row) -> String {
+    let line: Vec<u8> = header.fields.iter().flatten().copied().collect();
+    let separator = match header.fields.len() {
+        1 if line.contains(&b';') => "; it looks separated by semicolons: use commas",
+        1 if line.contains(&b'\t') => "; it looks separated by tabs: use commas",
+        _ => "",
+    };
+    format!("no column of the table is an input, every row is the base rotor{separator}")
+}

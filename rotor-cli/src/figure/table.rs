@@ -1,0 +1,87 @@
+//! The numbers of a figure as CSV.
+
+use std::io;
+
+use super::text::plain;
+use super::{Annotation, Axis, Curve, Figure, FigureError, Plot};
+
+/// Writes everything that a figure shows.
+pub(super) fn write(figure: &Figure) -> Result<String, FigureError> {
+    let mut table = csv::Writer::from_writer(Vec::new());
+    match &figure.plot {
+        Plot::Panels(panels) => {
+            let x = heading(panels.iter().map(|panel| &panel.x));
+            let y = heading(panels.iter().map(|panel| &panel.y));
+            table.write_record(["panel", "curve", &x, &y])?;
+            for panel in panels {
+                let title = plain(&panel.title);
+                drawn(&panel.curves, &panel.annotations, |curve, x, y| {
+                    table.write_record([&title, curve, x, y])
+                })?;
+            }
+        }
+        Plot::Map(map) => {
+            let (x, y) = (plain(&map.x.label), plain(&map.y.label));
+            table.write_record(["curve", &x, &y, &plain(&map.value_label)])?;
+            for (y, row) in map
+                .y_values
+                .iter()
+                .zip(map.values.chunks(map.x_values.len()))
+            {
+                for (x, value) in map.x_values.iter().zip(row) {
+                    table.write_record(["map", &number(*x), &number(*y), &cell(*value)])?;
+                }
+            }
+            drawn(&map.curves, &map.annotations, |curve, x, y| {
+                table.write_record([curve, x, y, ""])
+            })?;
+        }
+    }
+    let bytes = table
+        .into_inner()
+        .map_err(|error| csv::Error::from(error.into_error()))?;
+    Ok(String::from_utf8(bytes).map_err(|error| csv::Error::from(io::Error::other(error)))?)
+}
+
+/// Hands every point of curves and annotations to `line`: its label, x and y.
+fn drawn(
+    curves: &[Curve],
+    annotations: &[Annotation],
+    mut line: impl FnMut(&str, &str, &str) -> Result<(), csv::Error>,
+) -> Result<(), csv::Error> {
+    for curve in curves {
+        let label = plain(&curve.label);
+        for (x, y) in &curve.points {
+            line(&label, &number(*x), &cell(*y))?;
+        }
+    }
+    for annotation in annotations {
+        line(
+            &plain(&annotation.label),
+            &number(annotation.at.0),
+            &number(annotation.at.1),
+        )?;
+    }
+    Ok(())
+}
+
+/// The labels of the panels' axes, each once.
+fn heading<'a>(axes: impl Iterator<Item = &'a Axis>) -> String {
+    let mut labels: Vec<String> = Vec::new();
+    for label in axes.map(|axis| plain(&axis.label)) {
+        if !labels.contains(&label) {
+            labels.push(label);
+        }
+    }
+    labels.join(" | ")
+}
+
+/// A number in the shortest form that reads back exactly.
+fn number(value: f64) -> String {
+    format!("{value:?}")
+}
+
+/// A number, or nothing.
+fn cell(value: Option<f64>) -> String {
+    value.map(number).unwrap_or_default()
+}

@@ -1,0 +1,204 @@
+//! Where results go: standard output, or files that appear whole or not at all.
+
+use std::fs::{self, File};
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
+
+use tempfile::{NamedTempFile, TempDir};
+
+use crate::failure::Failure;
+
+/// Writes a text to standard output.
+///
+/// # Errors
+///
+/// [`Failure::OutputClosed`] where the reader went away, [`Failure::Stream`] otherwise.
+pub(crate) fn print(text: &str) -> Result<(), Failure> {
+    let mut stdout = io::stdout().lock();
+    stdout
+        .write_all(text.as_bytes())
+        .and_then(|()| stdout.flush())
+        .map_err(|source| Failure::stream("write", "standard output", source))
+}
+
+/// Writes a remark to standard error. A closed stderr is no reason to stop.
+pub(crate) fn remark(text: &str) {
+    let _ = writeln!(io::stderr().lock(), "{text}");
+}
+
+/// An output stream: standard output (`-`), a special file as it is, or a file that is written beside its
+/// place and moved there by [`Destination::finish`].
+pub(crate) enum Destination {
+    /// Written as it comes.
+    Direct { stream: Box<dyn Write>, name: String },
+    /// Written beside the target.
+    Staged { file: BufWriter<NamedTempFile>, target: PathBuf },
+}
+
+impl Destination {
+    /// Opens the destination `path`, `-` for standard output.
+    ///
+    /// # Errors
+    ///
+    /// Where the folder does not exist or cannot be written to, or `path` is a folder.
+    pub(crate) fn open(path: &Path) -> Result<Self, Failure> {
+        if path.as_os_str() == "-" {
+            let stream = Box::new(BufWriter::new(io::stdout().lock()));
+            return Ok(Self::Direct { stream, name: "standard output".to_owned() });
+        }
+        // A link keeps pointing where it pointed: what it points to is replaced.
+        let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+        let existing = fs::metadata(&target).ok();
+        if existing.as_ref().is_some_and(fs::Metadata::is_dir) {
+            return Err(Failure::input(format!("cannot write `{}`: it is a folder", path.display())));
+        }
+        if existing.as_ref().is_some_and(|metadata| !metadata.is_file()) {
+            let file = File::options()
+                .write(true)
+                .open(&target)
+                .map_err(|source| Failure::file("write", path, source))?;
+            let name = format!("`{}`", path.display());
+            return Ok(Self::Direct { stream: Box::new(BufWriter::new(file)), name });
+        }
+        let mut builder = tempfile::Builder::new();
+        builder.prefix(".rotor-").suffix(".part");
+        match existing {
+            Some(metadata) => {
+                builder.permissions(metadata.permissions());
+            }
+            None => usual_permissions(&mut builder, 0o666),
+        }
+        let file = builder
+            .tempfile_in(folder_of(&target))
+            .map_err(|source| Failure::file("write", path, source))?;
+        Ok(Self::Staged { file: BufWriter::new(file), target })
+    }
+
+    /// Makes what was written appear.
+    ///
+    /// # Errors
+    ///
+    /// Where the last bytes or the move fail; the target is then as it was.
+    pub(crate) fn finish(self) -> Result<(), Failure> {
+        match self {
+            Self::Direct { mut stream, name } => {
+                stream.flush().map_err(|source| Failure::stream("write", name, source))
+            }
+            Self::Staged { file, target } => {
+                let file = file
+                    .into_inner()
+                    .map_err(|error| Failure::file("write", &target, error.into_error()))?;
+                file.persist(&target)
+                    .map(drop)
+                    .map_err(|error| Failure::file("write", &target, error.error))
+            }
+        }
+    }
+
+    /// The stream's name in a message.
+    pub(crate) fn name(&self) -> String {
+        match self {
+            Self::Direct { name, .. } => name.clone(),
+            Self::Staged { target, .. } => format!("`{}`", target.display()),
+        }
+    }
+}
+
+impl Write for Destination {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        match self {
+            Self::Direct { stream, .. } => stream.write(bytes),
+            Self::Staged { file, .. } => file.write(bytes),
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        match self {
+            Self::Direct { stream, .. } => stream.flush(),
+            Self::Staged { file, .. } => file.flush(),
+        }
+    }
+}
+
+/// A set of files of one folder, written beside it and moved in together once all of them are made.
+pub(crate) struct StagedFolder {
+    staging: TempDir,
+    target: PathBuf,
+    names: Vec<String>,
+}
+
+impl StagedFolder {
+    /// Prepares the folder `target`. Nothing appears there yet.
+    ///
+    /// # Errors
+    ///
+    /// Where `target` is a file, or the folder that holds it cannot be written to.
+    pub(crate) fn new(target: &Path) -> Result<Self, Failure> {
+        if fs::metadata(target).is_ok_and(|metadata| !metadata.is_dir()) {
+            return Err(Failure::input(format!("cannot write into `{}`: it is not a folder", target.display())));
+        }
+        let parent = folder_of(target);
+        fs::create_dir_all(&parent).map_err(|source| Failure::file("create", &parent, source))?;
+        let mut builder = tempfile::Builder::new();
+        builder.prefix(".rotor-report-");
+        usual_permissions(&mut builder, 0o777);
+        let staging = builder
+            .tempdir_in(&parent)
+            .map_err(|source| Failure::file("write", target, source))?;
+        Ok(Self { staging, target: target.to_owned(), names: Vec::new() })
+    }
+
+    /// Adds a file.
+    ///
+    /// # Errors
+    ///
+    /// Where it cannot be written.
+    pub(crate) fn add(&mut self, name: &str, content: &[u8]) -> Result<(), Failure> {
+        let path = self.staging.path().join(name);
+        fs::write(&path, content).map_err(|source| Failure::file("write", &self.target.join(name), source))?;
+        self.names.push(name.to_owned());
+        Ok(())
+    }
+
+    /// Makes the files appear: a new folder all at once, an existing one file by file, other files left alone.
+    ///
+    /// # Errors
+    ///
+    /// Where a file cannot be moved.
+    pub(crate) fn finish(self) -> Result<(), Failure> {
+        let Self { staging, target, names } = self;
+        if !target.exists() {
+            // The folder has another name from here on, so that nothing is left for the guard to remove.
+            let staged = staging.keep();
+            return fs::rename(&staged, &target).map_err(|source| {
+                let _ = fs::remove_dir_all(&staged);
+                Failure::file("create", &target, source)
+            });
+        }
+        for name in &names {
+            let place = target.join(name);
+            fs::rename(staging.path().join(name), &place)
+                .map_err(|source| Failure::file("write", &place, source))?;
+        }
+        Ok(())
+    }
+}
+
+/// The folder in which a path lies.
+fn folder_of(path: &Path) -> PathBuf {
+    match path.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent.to_owned(),
+        _ => PathBuf::from("."),
+    }
+}
+
+/// Gives what the builder makes the permissions of any new file or folder, the user's mask applied by the system;
+/// a temporary file would be its owner's alone.
+#[cfg(unix)]
+fn usual_permissions(builder: &mut tempfile::Builder<'_, '_>, mode: u32) {
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(mode));
+}
+
+/// Elsewhere new files inherit the permissions of their folder.
+#[cfg(not(unix))]
+fn usual_permissions(_builder: &mut tempfile::Builder<'_, '_>, _mode: u32) {}

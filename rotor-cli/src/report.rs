@@ -1,0 +1,85 @@
+//! `rotor report`: everything about one rotor, on the terminal and as a folder of files.
+
+mod analysis;
+mod figures;
+mod hill;
+mod html;
+mod tables;
+
+use rayon::prelude::*;
+
+use crate::command_line::ReportArguments;
+use crate::failure::{Failure, Outcome};
+use crate::figure::{Figure, FigureError};
+use crate::output::{self, StagedFolder};
+use crate::rotor_file;
+use crate::table::{Table, wrapped};
+use crate::zup;
+use analysis::{AGREEMENT, Analysis};
+use html::Picture;
+
+/// Reports on a rotor: computes all, writes the files, then prints.
+///
+/// # Errors
+///
+/// Where the rotor cannot be read, has no coefficients, or the files cannot be written.
+pub(crate) fn run(arguments: &ReportArguments) -> Result<Outcome, Failure> {
+    let named = rotor_file::load(arguments.file.as_deref())?;
+    // A folder that cannot be written to is known before the work is done.
+    let mut folder = StagedFolder::new(&arguments.output)?;
+    let analysis = Analysis::new(named)?;
+    let heading = zup::heading(&analysis.named);
+    let tables = tables::tables(&analysis);
+    let warnings: Vec<_> = analysis.named.rotor.warnings().iter().map(ToString::to_string).collect();
+    let files: Vec<_> = figures::figures(&analysis).par_iter().map(draw).collect();
+    let mut pictures = Vec::new();
+    for drawn in files {
+        let Drawn { picture, png, csv } = drawn.map_err(|error| Failure::input(format!("no report: {error}")))?;
+        folder.add(&format!("{}.svg", picture.name), picture.svg.as_bytes())?;
+        folder.add(&format!("{}.png", picture.name), &png)?;
+        folder.add(&format!("{}.csv", picture.name), csv.as_bytes())?;
+        pictures.push(picture);
+    }
+    folder.add("report.html", html::page(&heading, &warnings, &tables, &pictures).as_bytes())?;
+    folder.finish()?;
+    let page = arguments.output.join("report.html");
+    let mut text = terminal(&heading, &warnings, &tables);
+    text.push_str(&format!("\nThe figures and this report: {}\n", page.display()));
+    output::print(&text)?;
+    Ok(checked(&analysis))
+}
+
+/// A figure in all its forms.
+struct Drawn {
+    picture: Picture,
+    png: Vec<u8>,
+    csv: String,
+}
+
+fn draw(figure: &Figure) -> Result<Drawn, FigureError> {
+    let picture = Picture { name: figure.name.clone(), svg: figure.svg()? };
+    Ok(Drawn { picture, png: figure.png()?, csv: figure.csv()? })
+}
+
+fn terminal(heading: &str, warnings: &[String], tables: &[Table]) -> String {
+    let mut text = wrapped(heading, "");
+    for warning in warnings {
+        text.push_str(&wrapped(&format!("Warning: {warning}"), ""));
+    }
+    for table in tables {
+        text.push('\n');
+        text.push_str(&table.plain());
+    }
+    text
+}
+
+fn checked(analysis: &Analysis) -> Outcome {
+    let disagreements = analysis.disagreements();
+    for kind in &disagreements {
+        output::remark(&format!(
+            "check failed: the width of the {} by Hill's method and the exact one differ by more than {AGREEMENT:e} of it",
+            kind.description()
+        ));
+    }
+    if disagreements.is_empty() { Outcome::Passed } else { Outcome::CheckFailed }
+}

@@ -1,0 +1,69 @@
+//! The width of a region over the crack's angle and depth, as a map with its zero unstable points.
+
+use std::f64::consts::PI;
+
+use rotor_core::region::RegionKind;
+use rotor_core::rotor::Rotor;
+use rotor_core::zero_unstable_point::zup_depth;
+
+use super::{angle_axis, changed, deepest, depth_axis, spaced, width_at, width_symbol};
+use crate::figure::{Annotation, Figure, Map, Plot};
+
+/// Values of each axis.
+const POINTS: usize = 97;
+/// At most about so many contour lines.
+const LEVELS: f64 = 12.0;
+
+/// The map of a region.
+pub(super) fn figure(rotor: &Rotor, kind: RegionKind) -> Figure {
+    let angles = spaced(0.0, PI, POINTS);
+    let depths = spaced(0.0, deepest(rotor), POINTS);
+    let mut values = Vec::with_capacity(angles.len() * depths.len());
+    for &depth in &depths {
+        let c = changed(rotor, |p| p.crack_depth_ratio = depth);
+        values.extend(angles.iter().map(|&angle| c.as_ref().and_then(|c| width_at(kind, c, angle))));
+    }
+    let points = zup_depth(rotor, kind).unwrap_or_default();
+    let annotations = points
+        .iter()
+        .filter(|point| point.value <= deepest(rotor))
+        .map(|point| Annotation {
+            label: format!("ZUP, σ = {:.4}", point.value),
+            at: (point.crack_angle, point.value),
+        })
+        .collect();
+    let (name, region) = match kind {
+        RegionKind::Simple | RegionKind::UpperSimple => ("map-sir", "SIR"),
+        RegionKind::Combination => ("map-cir", "CIR"),
+    };
+    let symbol = width_symbol(kind);
+    Figure {
+        name: name.to_owned(),
+        caption: format!("Width {symbol} of the {region} over the crack's angle and depth, Eq. (31)."),
+        plot: Plot::Map(Box::new(Map {
+            x: angle_axis(),
+            y: depth_axis(rotor),
+            x_values: angles,
+            y_values: depths,
+            levels: levels(&values),
+            values,
+            value_label: format!("{symbol} / ω_{{st}} [–]"),
+            curves: Vec::new(),
+            annotations,
+        })),
+    }
+}
+
+/// Round values between the smallest and the largest width.
+fn levels(values: &[Option<f64>]) -> Vec<f64> {
+    let least = values.iter().flatten().copied().fold(f64::INFINITY, f64::min);
+    let most = values.iter().flatten().copied().fold(0.0, f64::max);
+    let rough = (most - least) / LEVELS;
+    if !(rough.is_finite() && rough > 0.0) {
+        return Vec::new();
+    }
+    let power = 10f64.powf(rough.log10().floor());
+    let step = [1.0, 2.0, 5.0, 10.0].into_iter().map(|digit| digit * power).find(|&step| step >= rough).unwrap_or(rough);
+    let first = (least / step).floor() as i64 + 1;
+    (first..).map(|index| index as f64 * step).take_while(|&level| level < most).collect()
+}

@@ -1,0 +1,337 @@
+//! The physical rotor: its inputs in SI units, validated once.
+//!
+//! [`RotorParameters`] is plain data, [`INPUTS`] is the table of its numeric fields with what each
+//! allows, and [`Rotor`] is what has passed that table. Every formula is called from
+//! [`equations`]; this module only decides which lever arm and which edge
+//! factor they get, and refuses what double precision cannot hold.
+
+mod crack;
+mod inputs;
+#[cfg(test)]
+mod tests;
+
+use thiserror::Error;
+
+use crate::equations::{self, Coefficients, CrackCompliance, SectionLoads, Stiffness};
+
+pub use crack::{CrackEdge, CrackModel, UnknownChoice};
+pub use inputs::{Allowed, Bound, INPUTS, NumericInput};
+
+/// The inputs of a rotor in SI units, not yet validated: see [`Rotor::new`] and [`INPUTS`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RotorParameters {
+    /// Mass $m_d$ of the disk, kg.
+    pub disk_mass: f64,
+    /// Mean diametral inertia $I_d = (I_{dx}+I_{dy})/2$ of the disk, kg m².
+    pub disk_diametral_inertia: f64,
+    /// Polar inertia $I_p$ of the disk, kg m².
+    pub disk_polar_inertia: f64,
+    /// Relative inertia asymmetry $\Delta_d = (I_{dx}-I_{dy})/(2I_d)$ of the disk.
+    pub disk_asymmetry: f64,
+    /// Position $l_d/L$ of the disk, from the left support.
+    pub disk_position_ratio: f64,
+    /// Length $L$ of the shaft between its supports, m.
+    pub shaft_length: f64,
+    /// Radius $R$ of the shaft, m.
+    pub shaft_radius: f64,
+    /// Young's modulus $E$ of the shaft, Pa.
+    pub shaft_youngs_modulus: f64,
+    /// Poisson's ratio $\nu$ of the shaft.
+    pub shaft_poissons_ratio: f64,
+    /// Depth $\sigma = a/R$ of the crack.
+    pub crack_depth_ratio: f64,
+    /// Position $l_c/L$ of the crack, from the left support.
+    pub crack_position_ratio: f64,
+    /// Angle $\phi$ between the crack and the disk's major axis, rad.
+    pub crack_angle: f64,
+    /// How the crack enters the flexibility, E3.
+    pub crack_model: CrackModel,
+    /// How much of the crack's edge opens, E6.
+    pub crack_edge: CrackEdge,
+}
+
+impl RotorParameters {
+    /// The rotor of the paper's Section 4.
+    pub const PAPER: Self = Self {
+        disk_mass: 10.43,
+        disk_diametral_inertia: 0.1397,
+        disk_polar_inertia: 0.2096,
+        disk_asymmetry: 0.2,
+        disk_position_ratio: 0.25,
+        shaft_length: 0.5045,
+        shaft_radius: 0.011_88,
+        shaft_youngs_modulus: 2.0e11,
+        shaft_poissons_ratio: 0.3,
+        crack_depth_ratio: 0.2,
+        crack_position_ratio: 0.5,
+        crack_angle: 0.0,
+        crack_model: CrackModel::SupportArm,
+        crack_edge: CrackEdge::Half,
+    };
+}
+
+/// Why inputs describe no rotor.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+pub enum InvalidRotor {
+    /// An input is outside the values it allows, or not a finite number.
+    #[error("{name} is {value}{space}{unit}; it must be {allowed}",
+        name = .input.name, unit = .input.unit, allowed = .input.allowed,
+        space = if .input.unit.is_empty() { "" } else { " " })]
+    OutOfRange {
+        /// The row of [`INPUTS`].
+        input: &'static NumericInput,
+        /// What was given.
+        value: f64,
+    },
+    /// More polar inertia than any rigid body has: $I_p \le I_{dx} + I_{dy} = 2I_d$.
+    #[error(
+        "beta = disk_polar_inertia / disk_diametral_inertia = {disk_polar_inertia} kg m² / \
+         {disk_diametral_inertia} kg m² = {beta}; it must be > 0 and <= 2, since no rigid body has more"
+    )]
+    InertiaRatio {
+        /// $\beta = I_p/I_d$.
+        beta: f64,
+        /// $I_p$, kg m².
+        disk_polar_inertia: f64,
+        /// $I_d$, kg m².
+        disk_diametral_inertia: f64,
+    },
+}
+
+/// Something a valid rotor should not have, which does not keep it from being computed.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+pub enum Warning {
+    /// $2|\Delta_d| > \beta$ breaks the triangle inequality of the moments of inertia.
+    #[error(
+        "disk_asymmetry is {disk_asymmetry}, but a rigid body with beta = {beta} has at most \
+         beta / 2 = {limit}: its moments of inertia would break the triangle inequality",
+        limit = .beta / 2.0
+    )]
+    TriangleInequality {
+        /// $\Delta_d$.
+        disk_asymmetry: f64,
+        /// $\beta = I_p/I_d$.
+        beta: f64,
+    },
+}
+
+/// Why a valid rotor has no coefficients in double precision.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+pub enum NoCoefficients {
+    /// The inputs are so extreme that a derived quantity overflows or loses all its digits.
+    #[error(
+        "{quantity} comes out as {value}: the inputs are each allowed, but together they leave \
+         the range of double precision; it must be {allowed}"
+    )]
+    OutOfNumericRange {
+        /// The derived quantity, such as `k_tt`.
+        quantity: &'static str,
+        /// What came out.
+        value: f64,
+        /// What it has to be.
+        allowed: &'static str,
+    },
+    /// $\epsilon_{12} = \Delta k_{tm}/k_{tm}$ with $k_{tm} = 0$ and $\Delta k_{tm} \ne 0$.
+    #[error(
+        "epsilon_12 = delta_k_tm / k_tm is not defined: k_tm is exactly 0 N while delta_k_tm is \
+         {delta_k_tm} N (displacement and tilt are uncoupled in the mean, but not over a turn)"
+    )]
+    CouplingVanishes {
+        /// $\Delta k_{tm}$, N.
+        delta_k_tm: f64,
+    },
+}
+
+/// A rotor whose inputs have passed [`INPUTS`] and $\beta \le 2$.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rotor {
+    parameters: RotorParameters,
+}
+
+impl Default for Rotor {
+    /// The rotor of the paper.
+    fn default() -> Self {
+        Self {
+            parameters: RotorParameters::PAPER,
+        }
+    }
+}
+
+impl Rotor {
+    /// Validates the inputs.
+    ///
+    /// # Errors
+    /// The first input, in the order of [`INPUTS`], that is outside the values it allows; then
+    /// $\beta > 2$.
+    pub fn new(parameters: RotorParameters) -> Result<Self, InvalidRotor> {
+        for input in &INPUTS {
+            let value = (input.get)(&parameters);
+            if !input.allowed.contains(value) {
+                return Err(InvalidRotor::OutOfRange { input, value });
+            }
+        }
+        let beta = inertia_ratio(&parameters);
+        if !(beta > 0.0 && beta <= 2.0) {
+            return Err(InvalidRotor::InertiaRatio {
+                beta,
+                disk_polar_inertia: parameters.disk_polar_inertia,
+                disk_diametral_inertia: parameters.disk_diametral_inertia,
+            });
+        }
+        Ok(Self { parameters })
+    }
+
+    /// The validated inputs.
+    pub const fn parameters(&self) -> &RotorParameters {
+        &self.parameters
+    }
+
+    /// The rotor with some inputs changed, validated again.
+    ///
+    /// # Errors
+    /// As [`Rotor::new`].
+    pub fn with(&self, change: impl FnOnce(&mut RotorParameters)) -> Result<Self, InvalidRotor> {
+        let mut parameters = self.parameters;
+        change(&mut parameters);
+        Self::new(parameters)
+    }
+
+    /// What is doubtful about the rotor, though it can be computed.
+    pub fn warnings(&self) -> Vec<Warning> {
+        let beta = inertia_ratio(&self.parameters);
+        let disk_asymmetry = self.parameters.disk_asymmetry;
+        let mut warnings = Vec::new();
+        if 2.0 * disk_asymmetry.abs() > beta {
+            warnings.push(Warning::TriangleInequality {
+                disk_asymmetry,
+                beta,
+            });
+        }
+        warnings
+    }
+
+    /// Additional compliance of the crack, Eq. (8); zero without a crack.
+    ///
+    /// # Errors
+    /// Where a compliance is not a finite number ≥ 0.
+    pub fn compliance(&self) -> Result<CrackCompliance, NoCoefficients> {
+        let c = equations::crack_compliance(&self.parameters, self.parameters.crack_edge.factor());
+        let named = [
+            ("c11", c.c11),
+            ("c22", c.c22),
+            ("c33", c.c33),
+            ("c44", c.c44),
+        ];
+        check(&named, |value| value >= 0.0, "a finite number >= 0")?;
+        Ok(c)
+    }
+
+    /// Mean stiffness of the cracked shaft and its variation over a turn, Eq. (10).
+    ///
+    /// # Errors
+    /// Where an entry is not finite, or the mean stiffness is not positive.
+    pub fn stiffness(&self) -> Result<Stiffness, NoCoefficients> {
+        let edge_factor = self.parameters.crack_edge.factor();
+        let k = equations::stiffness(&self.parameters, &self.section_loads(), edge_factor);
+        check(
+            &[("k_tt", k.k_tt), ("k_mm", k.k_mm)],
+            |value| value > 0.0,
+            "a finite number > 0",
+        )?;
+        let named = [
+            ("k_tm", k.k_tm),
+            ("delta_k_tt", k.delta_k_tt),
+            ("delta_k_tm", k.delta_k_tm),
+            ("delta_k_mm", k.delta_k_mm),
+        ];
+        check(&named, |_| true, "a finite number")?;
+        Ok(k)
+    }
+
+    /// Reference speed $\omega_{st} = \sqrt{k_{tt}/m_d}$, rad/s.
+    ///
+    /// # Errors
+    /// As [`Rotor::stiffness`], and where the speed itself is not a finite number > 0.
+    pub fn reference_speed(&self) -> Result<f64, NoCoefficients> {
+        self.reference_speed_of(&self.stiffness()?)
+    }
+
+    /// The dimensionless numbers of Eq. (12). Where $k_{tm}$ and $\Delta k_{tm}$ are both exactly
+    /// zero (a disk at midspan without a crack), $\epsilon_{12}$ multiplies nothing and is 0.
+    ///
+    /// # Errors
+    /// As [`Rotor::stiffness`]; where a coefficient is not finite; where $k_{tm}$ alone is zero.
+    pub fn coefficients(&self) -> Result<Coefficients, NoCoefficients> {
+        self.coefficients_of(&self.stiffness()?)
+    }
+
+    pub(crate) fn reference_speed_of(&self, k: &Stiffness) -> Result<f64, NoCoefficients> {
+        let speed = equations::reference_speed(&self.parameters, k);
+        check(
+            &[("reference_speed", speed)],
+            |value| value > 0.0,
+            "a finite number > 0",
+        )?;
+        Ok(speed)
+    }
+
+    pub(crate) fn coefficients_of(&self, k: &Stiffness) -> Result<Coefficients, NoCoefficients> {
+        let mut c = equations::coefficients(&self.parameters, k);
+        if k.k_tm == 0.0 {
+            if k.delta_k_tm != 0.0 {
+                return Err(NoCoefficients::CouplingVanishes {
+                    delta_k_tm: k.delta_k_tm,
+                });
+            }
+            c.epsilon_12 = 0.0;
+        }
+        check(
+            &[("delta", c.delta)],
+            |value| value > 0.0,
+            "a finite number > 0",
+        )?;
+        let named = [
+            ("gamma", c.gamma),
+            ("epsilon_1", c.epsilon_1),
+            ("epsilon_12", c.epsilon_12),
+            ("epsilon_2", c.epsilon_2),
+        ];
+        check(&named, |_| true, "a finite number")?;
+        Ok(c)
+    }
+
+    fn section_loads(&self) -> SectionLoads {
+        let p = &self.parameters;
+        match p.crack_model {
+            CrackModel::SupportArm => equations::support_arm(p),
+            CrackModel::MidspanArm => equations::midspan_arm(p),
+            CrackModel::SimplySupported if p.crack_position_ratio < p.disk_position_ratio => {
+                equations::simply_supported_left(p)
+            }
+            CrackModel::SimplySupported => equations::simply_supported_right(p),
+        }
+    }
+}
+
+fn check(
+    named: &[(&'static str, f64)],
+    holds: impl Fn(f64) -> bool,
+    allowed: &'static str,
+) -> Result<(), NoCoefficients> {
+    match named
+        .iter()
+        .find(|(_, value)| !(value.is_finite() && holds(*value)))
+    {
+        Some(&(quantity, value)) => Err(NoCoefficients::OutOfNumericRange {
+            quantity,
+            value,
+            allowed,
+        }),
+        None => Ok(()),
+    }
+}
+
+/// $\beta = I_p/I_d$, before there is a stiffness to take the other coefficients from.
+fn inertia_ratio(p: &RotorParameters) -> f64 {
+    p.disk_polar_inertia / p.disk_diametral_inertia
+}
