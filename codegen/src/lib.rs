@@ -11,6 +11,7 @@ pub mod graph;
 pub mod interpret;
 pub mod parse;
 pub mod rewrite;
+pub mod show;
 pub mod tables;
 
 pub use expand::expand;

@@ -15,7 +15,12 @@ const DEFAULT_FOLDER: &str = "rotor-report";
 /// Where a Jeffcott rotor becomes unstable, how wide its simple and combination instability regions are, and
 /// which crack closes them. With no command, it reports on the paper's rotor.
 #[derive(Debug, Parser)]
-#[command(name = "rotor", version, max_term_width = 100, disable_help_subcommand = true)]
+#[command(
+    name = "rotor",
+    version,
+    max_term_width = 100,
+    disable_help_subcommand = true
+)]
 #[command(after_help = "Examples:\n  \
   $ rotor\n  \
   $ rotor init -o my-rotor.toml && rotor report my-rotor.toml -o my-report\n\n\
@@ -61,7 +66,10 @@ pub(crate) struct ReportArguments {
 impl ReportArguments {
     /// What `rotor` without a command does.
     pub(crate) fn on_the_papers_rotor() -> Self {
-        Self { file: None, output: PathBuf::from(DEFAULT_FOLDER) }
+        Self {
+            file: None,
+            output: PathBuf::from(DEFAULT_FOLDER),
+        }
     }
 }
 
@@ -90,7 +98,13 @@ pub(crate) struct EvaluateArguments {
     pub(crate) output: PathBuf,
 
     /// The results to add, in this order, or `all`
-    #[arg(short, long, value_name = "NAMES", value_delimiter = ',', default_value = "all")]
+    #[arg(
+        short,
+        long,
+        value_name = "NAMES",
+        value_delimiter = ',',
+        default_value = "all"
+    )]
     pub(crate) quantities: Vec<String>,
 
     /// The rotor that stands in for inputs without a column; without it, the paper's rotor

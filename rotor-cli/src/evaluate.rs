@@ -34,8 +34,15 @@ pub(crate) fn result_names() -> Vec<&'static str> {
 /// Where the table, a name of a result, the base rotor or, without `--keep-going`, a row cannot be used.
 pub(crate) fn run(arguments: &EvaluateArguments) -> Result<Outcome, Failure> {
     let quantities = quantities(&arguments.quantities)?;
-    if arguments.table.as_os_str() == "-" && arguments.base.as_ref().is_some_and(|base| base.as_os_str() == "-") {
-        return Err(Failure::input("the table and the base rotor cannot both be standard input"));
+    if arguments.table.as_os_str() == "-"
+        && arguments
+            .base
+            .as_ref()
+            .is_some_and(|base| base.as_os_str() == "-")
+    {
+        return Err(Failure::input(
+            "the table and the base rotor cannot both be standard input",
+        ));
     }
     let base = rotor_file::load(arguments.base.as_deref())?;
     let name = name_of(&arguments.table);
@@ -44,7 +51,11 @@ pub(crate) fn run(arguments: &EvaluateArguments) -> Result<Outcome, Failure> {
         .next_row()
         .map_err(|error| Failure::input(format!("{name}: {error}")))?
         .ok_or_else(|| Failure::input(format!("{name} is empty: a header row is wanted")))?;
-    let headings: Vec<_> = quantities.iter().map(|quantity| quantity.name()).chain([ERROR]).collect();
+    let headings: Vec<_> = quantities
+        .iter()
+        .map(|quantity| quantity.name())
+        .chain([ERROR])
+        .collect();
     let columns = Columns::new(&header, &headings, arguments.replace)
         .map_err(|failure| Failure::input(format!("{name}: {failure}")))?;
     for remark in columns.remarks() {
@@ -63,9 +74,13 @@ pub(crate) fn run(arguments: &EvaluateArguments) -> Result<Outcome, Failure> {
     titles.extend(headings);
     write(&mut writer, &titles)?;
     let count = evaluation.all(&mut rows, &mut writer)?;
-    let destination = writer
-        .into_inner()
-        .map_err(|error| Failure::stream("write", "the results", io::Error::from(error.error().kind())))?;
+    let destination = writer.into_inner().map_err(|error| {
+        Failure::stream(
+            "write",
+            "the results",
+            io::Error::from(error.error().kind()),
+        )
+    })?;
     destination.finish()?;
     Ok(evaluation.outcome(count))
 }
@@ -77,7 +92,9 @@ fn quantities(names: &[String]) -> Result<Vec<Quantity>, Failure> {
         let asked = match name {
             "all" => Quantity::ALL.to_vec(),
             name => vec![name.parse::<Quantity>().map_err(|error| {
-                Failure::input(format!("--quantities: {error}; `rotor evaluate --help` lists all"))
+                Failure::input(format!(
+                    "--quantities: {error}; `rotor evaluate --help` lists all"
+                ))
             })?],
         };
         for quantity in asked {
@@ -90,7 +107,11 @@ fn quantities(names: &[String]) -> Result<Vec<Quantity>, Failure> {
 }
 
 fn name_of(path: &Path) -> String {
-    if path.as_os_str() == "-" { "standard input".to_owned() } else { path.display().to_string() }
+    if path.as_os_str() == "-" {
+        "standard input".to_owned()
+    } else {
+        path.display().to_string()
+    }
 }
 
 fn open(path: &Path) -> Result<Box<dyn BufRead>, Failure> {
@@ -98,17 +119,22 @@ fn open(path: &Path) -> Result<Box<dyn BufRead>, Failure> {
         return Ok(Box::new(io::stdin().lock()));
     }
     if fs::metadata(path).is_ok_and(|metadata| metadata.is_dir()) {
-        return Err(Failure::input(format!("cannot read `{}`: it is a folder", path.display())));
+        return Err(Failure::input(format!(
+            "cannot read `{}`: it is a folder",
+            path.display()
+        )));
     }
     let file = File::open(path).map_err(|source| Failure::file("read", path, source))?;
     Ok(Box::new(BufReader::new(file)))
 }
 
 fn write(writer: &mut csv::Writer<Destination>, record: &ByteRecord) -> Result<(), Failure> {
-    writer.write_byte_record(record).map_err(|error| match error.into_kind() {
-        csv::ErrorKind::Io(source) => Failure::stream("write", "the results", source),
-        other => Failure::input(format!("cannot write the results: {other:?}")),
-    })
+    writer
+        .write_byte_record(record)
+        .map_err(|error| match error.into_kind() {
+            csv::ErrorKind::Io(source) => Failure::stream("write", "the results", source),
+            other => Failure::input(format!("cannot write the results: {other:?}")),
+        })
 }
 
 /// A table on its way.
@@ -145,7 +171,10 @@ impl Evaluation {
                         (vec![String::new(); self.quantities.len()], why)
                     }
                     Err(why) => {
-                        let text = format!("{}: line {}: {why}; no results are written", self.name, row.line);
+                        let text = format!(
+                            "{}: line {}: {why}; no results are written",
+                            self.name, row.line
+                        );
                         return Err(Failure::input(text));
                     }
                 };
@@ -160,7 +189,10 @@ impl Evaluation {
     fn batch(&self, rows: &mut Rows<Box<dyn BufRead>>) -> Result<Vec<Row>, Failure> {
         let mut batch = Vec::new();
         while batch.len() < BATCH {
-            match rows.next_row().map_err(|error| Failure::input(format!("{}: {error}", self.name)))? {
+            match rows
+                .next_row()
+                .map_err(|error| Failure::input(format!("{}: {error}", self.name)))?
+            {
                 Some(row) => batch.push(row),
                 None => break,
             }

@@ -42,20 +42,34 @@ pub(crate) enum Failure {
 impl Failure {
     /// Input that cannot be used, told in one line or more.
     pub(crate) fn input(text: impl Into<String>) -> Self {
-        Self::Input { text: text.into(), rendered: false }
+        Self::Input {
+            text: text.into(),
+            rendered: false,
+        }
     }
 
     /// Input that cannot be used, told by a drawn diagnostic.
     pub(crate) fn rendered(text: String) -> Self {
-        Self::Input { text, rendered: true }
+        Self::Input {
+            text,
+            rendered: true,
+        }
     }
 
     /// A system error on a named stream; a closed pipe is told apart.
-    pub(crate) fn stream(action: &'static str, subject: impl Into<String>, source: io::Error) -> Self {
+    pub(crate) fn stream(
+        action: &'static str,
+        subject: impl Into<String>,
+        source: io::Error,
+    ) -> Self {
         if source.kind() == io::ErrorKind::BrokenPipe {
             return Self::OutputClosed;
         }
-        Self::Stream { action, subject: subject.into(), source }
+        Self::Stream {
+            action,
+            subject: subject.into(),
+            source,
+        }
     }
 
     /// A system error on a file.
@@ -67,7 +81,10 @@ impl Failure {
     pub(crate) fn message(&self) -> Option<String> {
         match self {
             Self::OutputClosed => None,
-            Self::Input { text, rendered: true } => Some(text.clone()),
+            Self::Input {
+                text,
+                rendered: true,
+            } => Some(text.clone()),
             other => Some(format!("error: {other}")),
         }
     }

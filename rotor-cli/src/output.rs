@@ -30,9 +30,15 @@ pub(crate) fn remark(text: &str) {
 /// place and moved there by [`Destination::finish`].
 pub(crate) enum Destination {
     /// Written as it comes.
-    Direct { stream: Box<dyn Write>, name: String },
+    Direct {
+        stream: Box<dyn Write>,
+        name: String,
+    },
     /// Written beside the target.
-    Staged { file: BufWriter<NamedTempFile>, target: PathBuf },
+    Staged {
+        file: BufWriter<NamedTempFile>,
+        target: PathBuf,
+    },
 }
 
 impl Destination {
@@ -44,21 +50,33 @@ impl Destination {
     pub(crate) fn open(path: &Path) -> Result<Self, Failure> {
         if path.as_os_str() == "-" {
             let stream = Box::new(BufWriter::new(io::stdout().lock()));
-            return Ok(Self::Direct { stream, name: "standard output".to_owned() });
+            return Ok(Self::Direct {
+                stream,
+                name: "standard output".to_owned(),
+            });
         }
         // A link keeps pointing where it pointed: what it points to is replaced.
         let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
         let existing = fs::metadata(&target).ok();
         if existing.as_ref().is_some_and(fs::Metadata::is_dir) {
-            return Err(Failure::input(format!("cannot write `{}`: it is a folder", path.display())));
+            return Err(Failure::input(format!(
+                "cannot write `{}`: it is a folder",
+                path.display()
+            )));
         }
-        if existing.as_ref().is_some_and(|metadata| !metadata.is_file()) {
+        if existing
+            .as_ref()
+            .is_some_and(|metadata| !metadata.is_file())
+        {
             let file = File::options()
                 .write(true)
                 .open(&target)
                 .map_err(|source| Failure::file("write", path, source))?;
             let name = format!("`{}`", path.display());
-            return Ok(Self::Direct { stream: Box::new(BufWriter::new(file)), name });
+            return Ok(Self::Direct {
+                stream: Box::new(BufWriter::new(file)),
+                name,
+            });
         }
         let mut builder = tempfile::Builder::new();
         builder.prefix(".rotor-").suffix(".part");
@@ -71,7 +89,10 @@ impl Destination {
         let file = builder
             .tempfile_in(folder_of(&target))
             .map_err(|source| Failure::file("write", path, source))?;
-        Ok(Self::Staged { file: BufWriter::new(file), target })
+        Ok(Self::Staged {
+            file: BufWriter::new(file),
+            target,
+        })
     }
 
     /// Makes what was written appear.
@@ -81,9 +102,9 @@ impl Destination {
     /// Where the last bytes or the move fail; the target is then as it was.
     pub(crate) fn finish(self) -> Result<(), Failure> {
         match self {
-            Self::Direct { mut stream, name } => {
-                stream.flush().map_err(|source| Failure::stream("write", name, source))
-            }
+            Self::Direct { mut stream, name } => stream
+                .flush()
+                .map_err(|source| Failure::stream("write", name, source)),
             Self::Staged { file, target } => {
                 let file = file
                     .into_inner()
@@ -135,7 +156,10 @@ impl StagedFolder {
     /// Where `target` is a file, or the folder that holds it cannot be written to.
     pub(crate) fn new(target: &Path) -> Result<Self, Failure> {
         if fs::metadata(target).is_ok_and(|metadata| !metadata.is_dir()) {
-            return Err(Failure::input(format!("cannot write into `{}`: it is not a folder", target.display())));
+            return Err(Failure::input(format!(
+                "cannot write into `{}`: it is not a folder",
+                target.display()
+            )));
         }
         let parent = folder_of(target);
         fs::create_dir_all(&parent).map_err(|source| Failure::file("create", &parent, source))?;
@@ -145,7 +169,11 @@ impl StagedFolder {
         let staging = builder
             .tempdir_in(&parent)
             .map_err(|source| Failure::file("write", target, source))?;
-        Ok(Self { staging, target: target.to_owned(), names: Vec::new() })
+        Ok(Self {
+            staging,
+            target: target.to_owned(),
+            names: Vec::new(),
+        })
     }
 
     /// Adds a file.
@@ -155,7 +183,8 @@ impl StagedFolder {
     /// Where it cannot be written.
     pub(crate) fn add(&mut self, name: &str, content: &[u8]) -> Result<(), Failure> {
         let path = self.staging.path().join(name);
-        fs::write(&path, content).map_err(|source| Failure::file("write", &self.target.join(name), source))?;
+        fs::write(&path, content)
+            .map_err(|source| Failure::file("write", &self.target.join(name), source))?;
         self.names.push(name.to_owned());
         Ok(())
     }
@@ -166,7 +195,11 @@ impl StagedFolder {
     ///
     /// Where a file cannot be moved.
     pub(crate) fn finish(self) -> Result<(), Failure> {
-        let Self { staging, target, names } = self;
+        let Self {
+            staging,
+            target,
+            names,
+        } = self;
         if !target.exists() {
             // The folder has another name from here on, so that nothing is left for the guard to remove.
             let staged = staging.keep();

@@ -30,21 +30,34 @@ pub(crate) fn run(arguments: &ReportArguments) -> Result<Outcome, Failure> {
     let analysis = Analysis::new(named)?;
     let heading = zup::heading(&analysis.named);
     let tables = tables::tables(&analysis);
-    let warnings: Vec<_> = analysis.named.rotor.warnings().iter().map(ToString::to_string).collect();
+    let warnings: Vec<_> = analysis
+        .named
+        .rotor
+        .warnings()
+        .iter()
+        .map(ToString::to_string)
+        .collect();
     let files: Vec<_> = figures::figures(&analysis).par_iter().map(draw).collect();
     let mut pictures = Vec::new();
     for drawn in files {
-        let Drawn { picture, png, csv } = drawn.map_err(|error| Failure::input(format!("no report: {error}")))?;
+        let Drawn { picture, png, csv } =
+            drawn.map_err(|error| Failure::input(format!("no report: {error}")))?;
         folder.add(&format!("{}.svg", picture.name), picture.svg.as_bytes())?;
         folder.add(&format!("{}.png", picture.name), &png)?;
         folder.add(&format!("{}.csv", picture.name), csv.as_bytes())?;
         pictures.push(picture);
     }
-    folder.add("report.html", html::page(&heading, &warnings, &tables, &pictures).as_bytes())?;
+    folder.add(
+        "report.html",
+        html::page(&heading, &warnings, &tables, &pictures).as_bytes(),
+    )?;
     folder.finish()?;
     let page = arguments.output.join("report.html");
     let mut text = terminal(&heading, &warnings, &tables);
-    text.push_str(&format!("\nThe figures and this report: {}\n", page.display()));
+    text.push_str(&format!(
+        "\nThe figures and this report: {}\n",
+        page.display()
+    ));
     output::print(&text)?;
     Ok(checked(&analysis))
 }
@@ -57,8 +70,15 @@ struct Drawn {
 }
 
 fn draw(figure: &Figure) -> Result<Drawn, FigureError> {
-    let picture = Picture { name: figure.name.clone(), svg: figure.svg()? };
-    Ok(Drawn { picture, png: figure.png()?, csv: figure.csv()? })
+    let picture = Picture {
+        name: figure.name.clone(),
+        svg: figure.svg()?,
+    };
+    Ok(Drawn {
+        picture,
+        png: figure.png()?,
+        csv: figure.csv()?,
+    })
 }
 
 fn terminal(heading: &str, warnings: &[String], tables: &[Table]) -> String {
@@ -81,5 +101,9 @@ fn checked(analysis: &Analysis) -> Outcome {
             kind.description()
         ));
     }
-    if disagreements.is_empty() { Outcome::Passed } else { Outcome::CheckFailed }
+    if disagreements.is_empty() {
+        Outcome::Passed
+    } else {
+        Outcome::CheckFailed
+    }
 }

@@ -11,20 +11,24 @@ use std::io::{self, Read as _};
 use std::ops::Range;
 use std::path::Path;
 
-use rotor_core::rotor::{CrackEdge, CrackModel, INPUTS, InvalidRotor, NumericInput, Rotor, RotorParameters};
+use rotor_core::rotor::{
+    CrackEdge, CrackModel, INPUTS, InvalidRotor, NumericInput, Rotor, RotorParameters,
+};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use crate::failure::Failure;
-use diagnostic::{Mistake, draw};
 pub(crate) use diagnostic::nearest;
+use diagnostic::{Mistake, draw};
 pub(crate) use template::template;
 
 /// The sections of a file.
 const SECTIONS: [&str; 3] = ["disk", "shaft", "crack"];
 /// The inputs that are a choice, and may be left out.
-pub(crate) const CHOICES: [(&str, &str, &str); 2] =
-    [("crack_model", "crack", "model"), ("crack_edge", "crack", "edge")];
+pub(crate) const CHOICES: [(&str, &str, &str); 2] = [
+    ("crack_model", "crack", "model"),
+    ("crack_edge", "crack", "edge"),
+];
 
 /// A rotor and what to call it in a report.
 #[derive(Clone, Debug)]
@@ -42,7 +46,10 @@ pub(crate) struct NamedRotor {
 /// Where the file cannot be read or describes no rotor; every mistake is shown, each at its line.
 pub(crate) fn load(path: Option<&Path>) -> Result<NamedRotor, Failure> {
     let Some(path) = path else {
-        return Ok(NamedRotor { rotor: Rotor::default(), name: "the paper's rotor".to_owned() });
+        return Ok(NamedRotor {
+            rotor: Rotor::default(),
+            name: "the paper's rotor".to_owned(),
+        });
     };
     let (bytes, name) = if path.as_os_str() == "-" {
         let mut bytes = Vec::new();
@@ -52,7 +59,10 @@ pub(crate) fn load(path: Option<&Path>) -> Result<NamedRotor, Failure> {
             .map_err(|source| Failure::stream("read", "standard input", source))?;
         (bytes, "standard input".to_owned())
     } else {
-        (fs::read(path).map_err(|source| Failure::file("read", path, source))?, path.display().to_string())
+        (
+            fs::read(path).map_err(|source| Failure::file("read", path, source))?,
+            path.display().to_string(),
+        )
     };
     let text = decode(bytes, &name)?;
     match parse(&text) {
@@ -69,7 +79,9 @@ fn decode(bytes: Vec<u8>, name: &str) -> Result<String, Failure> {
             [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => " (it is UTF-16)",
             _ => "",
         };
-        Failure::input(format!("`{name}` is not UTF-8{hint}: line {line}; save it as UTF-8"))
+        Failure::input(format!(
+            "`{name}` is not UTF-8{hint}: line {line}; save it as UTF-8"
+        ))
     })?;
     if text.starts_with('\u{feff}') {
         text.drain(..'\u{feff}'.len_utf8());
@@ -85,7 +97,10 @@ fn decode(bytes: Vec<u8>, name: &str) -> Result<String, Failure> {
 fn parse(text: &str) -> Result<Rotor, Vec<Mistake>> {
     let (table, errors) = DeTable::parse_recoverable(text);
     if !errors.is_empty() {
-        return Err(errors.iter().map(|error| Mistake::syntax(error, text.len())).collect());
+        return Err(errors
+            .iter()
+            .map(|error| Mistake::syntax(error, text.len()))
+            .collect());
     }
     let mut reading = Reading::default();
     reading.sections(table.get_ref());
@@ -101,7 +116,11 @@ struct Reading {
 
 impl Default for Reading {
     fn default() -> Self {
-        Self { parameters: RotorParameters::PAPER, given: Vec::new(), mistakes: Vec::new() }
+        Self {
+            parameters: RotorParameters::PAPER,
+            given: Vec::new(),
+            mistakes: Vec::new(),
+        }
     }
 }
 
@@ -110,7 +129,8 @@ impl Reading {
         for (section, value) in table {
             let name = section.get_ref().as_ref();
             if !SECTIONS.contains(&name) {
-                self.mistakes.push(Mistake::unknown_section(name, section.span(), &SECTIONS));
+                self.mistakes
+                    .push(Mistake::unknown_section(name, section.span(), &SECTIONS));
                 continue;
             }
             match value.get_ref() {
@@ -120,7 +140,9 @@ impl Reading {
                     "a section",
                     other.type_str(),
                     value.span(),
-                    Some(format!("write `[{name}]` on a line of its own, its keys below")),
+                    Some(format!(
+                        "write `[{name}]` on a line of its own, its keys below"
+                    )),
                 )),
             }
         }
@@ -129,13 +151,18 @@ impl Reading {
     fn keys(&mut self, section: &str, keys: &DeTable<'_>) {
         for (key, value) in keys {
             let key_name = key.get_ref().as_ref();
-            let number = INPUTS.iter().find(|input| input.section == section && input.key == key_name);
-            let choice = CHOICES.iter().find(|choice| choice.1 == section && choice.2 == key_name);
+            let number = INPUTS
+                .iter()
+                .find(|input| input.section == section && input.key == key_name);
+            let choice = CHOICES
+                .iter()
+                .find(|choice| choice.1 == section && choice.2 == key_name);
             match (number, choice) {
                 (Some(input), _) => self.number(input, value),
                 (None, Some((name, ..))) => self.choice(name, value),
                 (None, None) => {
-                    self.mistakes.push(Mistake::unknown_key(section, key_name, key.span()));
+                    self.mistakes
+                        .push(Mistake::unknown_key(section, key_name, key.span()));
                 }
             }
         }
@@ -146,20 +173,33 @@ impl Reading {
         let number = match value.get_ref() {
             DeValue::Float(float) => float.as_str().parse().ok(),
             DeValue::Integer(integer) if integer.radix() == 10 => integer.as_str().parse().ok(),
-            DeValue::Integer(integer) => {
-                i64::from_str_radix(integer.as_str(), integer.radix()).ok().map(|integer| integer as f64)
-            }
+            DeValue::Integer(integer) => i64::from_str_radix(integer.as_str(), integer.radix())
+                .ok()
+                .map(|integer| integer as f64),
             other => {
-                let help = matches!(other, DeValue::String(_)).then(|| "write the number without quotes".to_owned());
+                let help = matches!(other, DeValue::String(_))
+                    .then(|| "write the number without quotes".to_owned());
                 let name = format!("{}.{}", input.section, input.key);
-                self.mistakes.push(Mistake::wrong_type(&name, "a number", other.type_str(), value.span(), help));
+                self.mistakes.push(Mistake::wrong_type(
+                    &name,
+                    "a number",
+                    other.type_str(),
+                    value.span(),
+                    help,
+                ));
                 return;
             }
         };
         match number {
-            Some(number) if input.allowed.contains(number) => (input.set)(&mut self.parameters, number),
-            Some(number) => self.mistakes.push(Mistake::not_allowed(input, number, value.span())),
-            None => self.mistakes.push(Mistake::not_allowed(input, f64::NAN, value.span())),
+            Some(number) if input.allowed.contains(number) => {
+                (input.set)(&mut self.parameters, number)
+            }
+            Some(number) => self
+                .mistakes
+                .push(Mistake::not_allowed(input, number, value.span())),
+            None => self
+                .mistakes
+                .push(Mistake::not_allowed(input, f64::NAN, value.span())),
         }
     }
 
@@ -167,11 +207,18 @@ impl Reading {
         let DeValue::String(text) = value.get_ref() else {
             let found = value.get_ref().type_str();
             let dotted = name.replacen('_', ".", 1);
-            self.mistakes.push(Mistake::wrong_type(&dotted, "a text in quotes", found, value.span(), None));
+            self.mistakes.push(Mistake::wrong_type(
+                &dotted,
+                "a text in quotes",
+                found,
+                value.span(),
+                None,
+            ));
             return;
         };
         if let Err(unknown) = set_choice(&mut self.parameters, name, text) {
-            self.mistakes.push(Mistake::unknown_choice(&unknown, value.span()));
+            self.mistakes
+                .push(Mistake::unknown_choice(&unknown, value.span()));
         }
     }
 
@@ -196,7 +243,11 @@ impl Reading {
             InvalidRotor::OutOfRange { input, .. } => input.name,
             InvalidRotor::InertiaRatio { .. } => "disk_polar_inertia",
         };
-        let span = self.given.iter().find(|(given, _)| *given == name).map(|(_, span)| span.clone());
+        let span = self
+            .given
+            .iter()
+            .find(|(given, _)| *given == name)
+            .map(|(_, span)| span.clone());
         Mistake::invalid(invalid, span)
     }
 }

@@ -56,17 +56,22 @@ pub(crate) const LINE: usize = 100;
 impl Table {
     /// The table as plain text, at most [`LINE`] wide; a last column that is too long goes on in lines below.
     pub(crate) fn plain(&self) -> String {
-        let widths: Vec<usize> = (0..self.headings.len()).map(|column| self.width(column)).collect();
+        let widths: Vec<usize> = (0..self.headings.len())
+            .map(|column| self.width(column))
+            .collect();
         let mut text = format!("{}\n", self.title);
         if self.headings.iter().any(|heading| !heading.is_empty()) {
-            let numeric = |column: usize| {
-                self.rows.iter().any(|row| matches!(row.get(column), Some(Cell::Number(_))))
-            };
-            let cells = self.headings.iter().enumerate().map(|(column, heading)| (*heading, numeric(column)));
+            let cells = self
+                .headings
+                .iter()
+                .enumerate()
+                .map(|(column, heading)| (*heading, self.is_numeric(column)));
             push_line(&mut text, cells, &widths);
         }
         for row in &self.rows {
-            let cells = row.iter().map(|cell| (cell.as_str(), matches!(cell, Cell::Number(_))));
+            let cells = row
+                .iter()
+                .map(|cell| (cell.as_str(), matches!(cell, Cell::Number(_))));
             push_line(&mut text, cells, &widths);
         }
         for note in &self.notes {
@@ -75,14 +80,33 @@ impl Table {
         text
     }
 
+    /// Whether a column holds numbers, which stand to the right, its heading too.
+    pub(crate) fn is_numeric(&self, column: usize) -> bool {
+        self.rows
+            .iter()
+            .any(|row| matches!(row.get(column), Some(Cell::Number(_))))
+    }
+
     fn width(&self, column: usize) -> usize {
-        let cells = self.rows.iter().filter_map(|row| row.get(column)).map(Cell::as_str);
+        let cells = self
+            .rows
+            .iter()
+            .filter_map(|row| row.get(column))
+            .map(Cell::as_str);
         let headings = self.headings.get(column).copied();
-        cells.chain(headings).map(|text| text.chars().count()).max().unwrap_or(0)
+        cells
+            .chain(headings)
+            .map(|text| text.chars().count())
+            .max()
+            .unwrap_or(0)
     }
 }
 
-fn push_line<'a>(text: &mut String, cells: impl Iterator<Item = (&'a str, bool)>, widths: &[usize]) {
+fn push_line<'a>(
+    text: &mut String,
+    cells: impl Iterator<Item = (&'a str, bool)>,
+    widths: &[usize],
+) {
     let mut line = String::new();
     for ((cell, right), &width) in cells.zip(widths) {
         if right {
@@ -130,7 +154,11 @@ pub(crate) fn significant(value: f64, digits: usize) -> String {
         return "0".to_owned();
     }
     let scientific = format!("{value:.*e}", digits.saturating_sub(1));
-    let exponent: i32 = scientific.rsplit('e').next().and_then(|exponent| exponent.parse().ok()).unwrap_or(0);
+    let exponent: i32 = scientific
+        .rsplit('e')
+        .next()
+        .and_then(|exponent| exponent.parse().ok())
+        .unwrap_or(0);
     if !(-5..=9).contains(&exponent) {
         return scientific;
     }
@@ -141,7 +169,11 @@ pub(crate) fn significant(value: f64, digits: usize) -> String {
 /// A number in the fewest letters that read back as the same one.
 pub(crate) fn shortest(value: f64) -> String {
     let (plain, scientific) = (format!("{value}"), format!("{value:e}"));
-    if plain.len() <= scientific.len() + 3 { plain } else { scientific }
+    if plain.len() <= scientific.len() + 3 {
+        plain
+    } else {
+        scientific
+    }
 }
 
 #[cfg(test)]

@@ -21,51 +21,85 @@ use crate::table::{Cell, Table, significant};
 /// Where the rotor cannot be read.
 pub(crate) fn run(arguments: &ZupArguments) -> Result<Outcome, Failure> {
     let named = rotor_file::load(arguments.file.as_deref())?;
-    output::print(&format!("{}\n\n{}", heading(&named), table(&named.rotor).plain()))?;
+    output::print(&format!(
+        "{}\n\n{}",
+        heading(&named),
+        table(&named.rotor).plain()
+    ))?;
     Ok(Outcome::Passed)
 }
 
 /// The rotor and the model that everything below is computed with.
 pub(crate) fn heading(named: &NamedRotor) -> String {
     let parameters = named.rotor.parameters();
-    format!("Rotor: {}; crack model {}, edge {}", named.name, parameters.crack_model, parameters.crack_edge)
+    format!(
+        "Rotor: {}; crack model {}, edge {}",
+        named.name, parameters.crack_model, parameters.crack_edge
+    )
 }
 
 /// The zero unstable points of both regions.
 pub(crate) fn table(rotor: &Rotor) -> Table {
     let parameters = rotor.parameters();
     let mut rows = Vec::new();
-    for (kind, short) in [(RegionKind::Simple, "SIR"), (RegionKind::Combination, "CIR")] {
+    for (kind, short) in [
+        (RegionKind::Simple, "SIR"),
+        (RegionKind::Combination, "CIR"),
+    ] {
         rows.extend(region_rows(rotor, kind, short));
     }
     Table {
-        title: "Zero unstable points (ZUP), Eq. (32): what closes a region, everything else as given".to_owned(),
+        title:
+            "Zero unstable points (ZUP), Eq. (32): what closes a region, everything else as given"
+                .to_owned(),
         headings: vec!["region", "closed by", "symbol", "value", "at crack angle"],
         rows,
         notes: vec![format!(
             "The depths hold for the rotor's asymmetry {} and position l_c/L = {}, the positions for its depth {}.",
-            parameters.disk_asymmetry, parameters.crack_position_ratio, parameters.crack_depth_ratio
+            parameters.disk_asymmetry,
+            parameters.crack_position_ratio,
+            parameters.crack_depth_ratio
         )],
     }
 }
 
 fn region_rows(rotor: &Rotor, kind: RegionKind, short: &str) -> Vec<Vec<Cell>> {
-    let asymmetry = rotor.coefficients().map_err(|error| error.to_string()).and_then(|c| {
-        let asymmetry = region::zup_asymmetry(kind, &c).map_err(|error| error.to_string())?;
-        let closing = rotor_core::equations::Coefficients { disk_asymmetry: asymmetry, ..c };
-        let angle = zup_angle(kind, &closing).map_err(|error| error.to_string())?;
-        Ok((asymmetry, angle))
-    });
+    let asymmetry = rotor
+        .coefficients()
+        .map_err(|error| error.to_string())
+        .and_then(|c| {
+            let asymmetry = region::zup_asymmetry(kind, &c).map_err(|error| error.to_string())?;
+            let closing = rotor_core::equations::Coefficients {
+                disk_asymmetry: asymmetry,
+                ..c
+            };
+            let angle = zup_angle(kind, &closing).map_err(|error| error.to_string())?;
+            Ok((asymmetry, angle))
+        });
     let mut rows = Vec::new();
     match asymmetry {
         Ok((value, angle)) => {
-            let what = if value.abs() < 1.0 { "disk asymmetry" } else { "disk asymmetry (no disk has it)" };
+            let what = if value.abs() < 1.0 {
+                "disk asymmetry"
+            } else {
+                "disk asymmetry (no disk has it)"
+            };
             rows.push(row(short, what, "Δ_d,ZUP", value, angle));
         }
         Err(why) => rows.push(none(short, "disk asymmetry", "Δ_d,ZUP", &why)),
     }
-    rows.extend(points(short, "crack depth", "σ_ZUP", zup_depth(rotor, kind)));
-    rows.extend(points(short, "crack position", "l_c/L", zup_position(rotor, kind)));
+    rows.extend(points(
+        short,
+        "crack depth",
+        "σ_ZUP",
+        zup_depth(rotor, kind),
+    ));
+    rows.extend(points(
+        short,
+        "crack position",
+        "l_c/L",
+        zup_position(rotor, kind),
+    ));
     rows
 }
 
@@ -77,16 +111,35 @@ fn points(
 ) -> Vec<Vec<Cell>> {
     match found {
         Ok(points) if points.is_empty() => vec![none(short, what, symbol, &"none in range")],
-        Ok(points) => points.iter().map(|point| row(short, what, symbol, point.value, point.crack_angle)).collect(),
+        Ok(points) => points
+            .iter()
+            .map(|point| row(short, what, symbol, point.value, point.crack_angle))
+            .collect(),
         Err(why) => vec![none(short, what, symbol, &why)],
     }
 }
 
 fn row(short: &str, what: &str, symbol: &'static str, value: f64, angle: f64) -> Vec<Cell> {
-    let angle = if angle == 0.0 { "φ = 0".to_owned() } else { format!("φ = π/2 = {}", significant(angle, 6)) };
-    vec![Cell::text(short), Cell::text(what), Cell::Symbol(symbol), Cell::number(value, 10), Cell::text(angle)]
+    let angle = if angle == 0.0 {
+        "φ = 0".to_owned()
+    } else {
+        format!("φ = π/2 = {}", significant(angle, 6))
+    };
+    vec![
+        Cell::text(short),
+        Cell::text(what),
+        Cell::Symbol(symbol),
+        Cell::number(value, 10),
+        Cell::text(angle),
+    ]
 }
 
 fn none(short: &str, what: &str, symbol: &'static str, why: &impl Display) -> Vec<Cell> {
-    vec![Cell::text(short), Cell::text(what), Cell::Symbol(symbol), Cell::text("–"), Cell::text(why.to_string())]
+    vec![
+        Cell::text(short),
+        Cell::text(what),
+        Cell::Symbol(symbol),
+        Cell::text("–"),
+        Cell::text(why.to_string()),
+    ]
 }

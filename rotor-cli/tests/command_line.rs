@@ -10,7 +10,10 @@ const COMMANDS: [&str; 5] = ["report", "evaluate", "zup", "init", "show"];
 
 /// The examples of a help text, as a shell takes them.
 fn examples(help: &str) -> Vec<String> {
-    help.lines().filter_map(|line| line.trim_start().strip_prefix("$ ")).map(str::to_owned).collect()
+    help.lines()
+        .filter_map(|line| line.trim_start().strip_prefix("$ "))
+        .map(str::to_owned)
+        .collect()
 }
 
 #[test]
@@ -20,14 +23,25 @@ fn every_example_of_every_help_works() {
     for command in COMMANDS {
         let help = Workplace::new().run(&[command, "--help"]);
         assert_eq!(help.code, 0);
-        assert!(help.stdout.lines().all(|line| line.chars().count() <= 100), "{}", help.stdout);
+        assert!(
+            help.stdout.lines().all(|line| line.chars().count() <= 100),
+            "{}",
+            help.stdout
+        );
         let examples = examples(&help.stdout);
         assert!(!examples.is_empty(), "{command} has no example");
         all.extend(examples);
     }
-    let folder = std::path::Path::new(env!("CARGO_BIN_EXE_rotor")).parent().unwrap();
+    let folder = std::path::Path::new(env!("CARGO_BIN_EXE_rotor"))
+        .parent()
+        .unwrap();
     let path = std::env::var_os("PATH").unwrap_or_default();
-    let path = std::env::join_paths([folder.to_owned()].into_iter().chain(std::env::split_paths(&path))).unwrap();
+    let path = std::env::join_paths(
+        [folder.to_owned()]
+            .into_iter()
+            .chain(std::env::split_paths(&path)),
+    )
+    .unwrap();
     for example in all {
         let place = Workplace::new();
         let output = Command::new("sh")
@@ -43,10 +57,19 @@ fn every_example_of_every_help_works() {
 
 #[test]
 fn a_wrong_command_line_ends_with_2() {
-    for arguments in [vec!["reprot"], vec!["evaluate"], vec!["zup", "--bogus"], vec!["show", "phi", "--rust", "--latex"]] {
+    for arguments in [
+        vec!["reprot"],
+        vec!["evaluate"],
+        vec!["zup", "--bogus"],
+        vec!["show", "phi", "--rust", "--latex"],
+    ] {
         let run = Workplace::new().run(&arguments);
         assert_eq!(run.code, 2, "{arguments:?}");
-        assert!(run.stdout.is_empty() && run.stderr.contains("error"), "{}", run.stderr);
+        assert!(
+            run.stdout.is_empty() && run.stderr.contains("error"),
+            "{}",
+            run.stderr
+        );
     }
 }
 
@@ -55,7 +78,11 @@ fn missing_files_end_with_2() {
     for arguments in [["zup", "none.toml"], ["report", "none.toml"]] {
         let place = Workplace::new();
         let run = place.run(&arguments);
-        assert!(run.code == 2 && run.stderr.contains("cannot read `none.toml`"), "{}", run.stderr);
+        assert!(
+            run.code == 2 && run.stderr.contains("cannot read `none.toml`"),
+            "{}",
+            run.stderr
+        );
         assert!(place.names().is_empty());
     }
 }
@@ -65,7 +92,11 @@ fn a_closed_pipe_is_quiet() {
     let place = Workplace::new();
     let rows: String = (0..20_000).map(|row| format!("{row}\n")).collect();
     let place = place.with("t.csv", format!("crack_angle\n{rows}"));
-    for arguments in [vec!["evaluate", "t.csv", "-q", "sir_width"], vec!["zup"], vec!["init", "-o", "-"]] {
+    for arguments in [
+        vec!["evaluate", "t.csv", "-q", "sir_width"],
+        vec!["zup"],
+        vec!["init", "-o", "-"],
+    ] {
         let mut child = Command::new(env!("CARGO_BIN_EXE_rotor"))
             .args(&arguments)
             .current_dir(place.folder())
@@ -82,10 +113,22 @@ fn a_closed_pipe_is_quiet() {
 
 #[test]
 fn zup_says_none_in_range() {
-    let file = common::rotor_file("asymmetry = 0.2", "asymmetry = 0.99").replace("0.2096", "0.2794");
-    let run = Workplace::new().with("a.toml", file).run(&["zup", "a.toml"]);
+    let file =
+        common::rotor_file("asymmetry = 0.2", "asymmetry = 0.99").replace("0.2096", "0.2794");
+    let run = Workplace::new()
+        .with("a.toml", file)
+        .run(&["zup", "a.toml"]);
     assert_eq!(run.code, 0, "{}", run.stderr);
     assert!(run.stdout.contains("none in range"), "{}", run.stdout);
-    assert!(run.stdout.contains("there is no combination instability region"), "{}", run.stdout);
-    assert!(run.stdout.lines().all(|line| line.chars().count() <= 100), "{}", run.stdout);
+    assert!(
+        run.stdout
+            .contains("there is no combination instability region"),
+        "{}",
+        run.stdout
+    );
+    assert!(
+        run.stdout.lines().all(|line| line.chars().count() <= 100),
+        "{}",
+        run.stdout
+    );
 }

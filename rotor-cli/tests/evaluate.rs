@@ -15,21 +15,42 @@ fn refused(table: impl AsRef<[u8]>, more: &[&str]) -> String {
     let arguments = [&["evaluate", "-", "-o", "out.csv"], more].concat();
     let run = place.run_on(&arguments, table.as_ref());
     assert_eq!((run.code, run.stdout.as_str()), (2, ""), "{}", run.stderr);
-    assert_eq!(place.names(), Vec::<String>::new(), "no file, not even a part of one");
+    assert_eq!(
+        place.names(),
+        Vec::<String>::new(),
+        "no file, not even a part of one"
+    );
     run.stderr
 }
 
 #[test]
 fn results_follow_the_columns_of_the_table_and_read_back_exactly() {
-    let run = evaluate("name,crack.depth_ratio\n\"A, B\",0.2\n", &["-q", "sir_width,reference_speed,sir_width"]);
+    let run = evaluate(
+        "name,crack.depth_ratio\n\"A, B\",0.2\n",
+        &["-q", "sir_width,reference_speed,sir_width"],
+    );
     assert_eq!(run.code, 0, "{}", run.stderr);
     let table = cells(&run.stdout);
-    assert_eq!(table[0], ["name", "crack.depth_ratio", "sir_width", "reference_speed", "error"]);
+    assert_eq!(
+        table[0],
+        [
+            "name",
+            "crack.depth_ratio",
+            "sir_width",
+            "reference_speed",
+            "error"
+        ]
+    );
     assert_eq!(table[1][0..2], ["A, B", "0.2"]);
     assert_eq!(table[1][4], "");
     let width: f64 = table[1][2].parse().unwrap();
     let rotor = rotor_core::rotor::Rotor::default();
-    assert_eq!(width, rotor_core::quantity::Quantity::SirWidth.evaluate(&rotor).unwrap());
+    assert_eq!(
+        width,
+        rotor_core::quantity::Quantity::SirWidth
+            .evaluate(&rotor)
+            .unwrap()
+    );
     assert!((width - 0.0717331014860298).abs() < 1e-13);
 }
 
@@ -43,15 +64,28 @@ fn every_result_of_the_documentation_can_be_asked_for() {
          cir_start,sir_width,cir_width,sir_zup_asymmetry,cir_zup_asymmetry,sir_exact_lower,sir_exact_upper,\
          cir_exact_lower,cir_exact_upper,error"
     );
-    assert!(cells(&run.stdout)[1][1..22].iter().all(|cell| cell.parse::<f64>().unwrap().is_finite()));
+    assert!(
+        cells(&run.stdout)[1][1..22]
+            .iter()
+            .all(|cell| cell.parse::<f64>().unwrap().is_finite())
+    );
 }
 
 #[test]
 fn inputs_without_a_column_come_from_the_base() {
-    let place = Workplace::new().with("base.toml", rotor_file("depth_ratio = 0.2", "depth_ratio = 0.3"));
-    let run = place.run_on(&["evaluate", "-", "-q", "delta", "-b", "base.toml"], b"crack_angle\n0\n");
+    let place = Workplace::new().with(
+        "base.toml",
+        rotor_file("depth_ratio = 0.2", "depth_ratio = 0.3"),
+    );
+    let run = place.run_on(
+        &["evaluate", "-", "-q", "delta", "-b", "base.toml"],
+        b"crack_angle\n0\n",
+    );
     let from_base = cells(&run.stdout)[1][1].clone();
-    let run = place.run_on(&["evaluate", "-", "-q", "delta"], b"crack_depth_ratio\n0.3\n");
+    let run = place.run_on(
+        &["evaluate", "-", "-q", "delta"],
+        b"crack_depth_ratio\n0.3\n",
+    );
     assert_eq!(from_base, cells(&run.stdout)[1][1]);
     let run = place.run_on(&["evaluate", "-", "-q", "delta"], b"crack_angle\n0\n");
     assert_ne!(from_base, cells(&run.stdout)[1][1]);
@@ -75,8 +109,19 @@ fn a_region_that_does_not_exist_is_empty_with_its_reason_and_no_failure() {
     assert_eq!((table[1][1].as_str(), table[1][3].as_str()), ("", ""));
     assert!(table[1][2].parse::<f64>().is_ok());
     assert!(table[1][4].contains("beta"), "{:?}", table[1]);
-    assert_eq!(table[1][4].matches("combination").count(), 1, "one reason is told once: {:?}", table[1]);
-    assert!(table[2].iter().take(4).all(|cell| cell.parse::<f64>().is_ok()) && table[2][4].is_empty());
+    assert_eq!(
+        table[1][4].matches("combination").count(),
+        1,
+        "one reason is told once: {:?}",
+        table[1]
+    );
+    assert!(
+        table[2]
+            .iter()
+            .take(4)
+            .all(|cell| cell.parse::<f64>().is_ok())
+            && table[2][4].is_empty()
+    );
 }
 
 #[test]
@@ -92,20 +137,32 @@ fn a_bad_row_is_told_by_line_column_value_and_what_is_allowed() {
         ("disk_mass,x\n,1\n", "the cell is empty"),
         ("disk_mass\nten\n", "\"ten\" is no number"),
         ("disk_mass,x\n1\n", "the row has 1 fields, the header has 2"),
-        ("disk_mass,x\n1,2,3\n", "the row has 3 fields, the header has 2"),
-        ("crack_model\nsupport\n", "support-arm, midspan-arm, simply-supported"),
+        (
+            "disk_mass,x\n1,2,3\n",
+            "the row has 3 fields, the header has 2",
+        ),
+        (
+            "crack_model\nsupport\n",
+            "support-arm, midspan-arm, simply-supported",
+        ),
         ("disk_polar_inertia\n1\n", "<= 2"),
         ("disk_mass,x\n\"1,2\n", "never closed"),
     ];
     for (table, expected) in tables {
         let message = refused(table, &[]);
-        assert!(message.contains("line 2") && message.contains(expected), "{table:?}: {message}");
+        assert!(
+            message.contains("line 2") && message.contains(expected),
+            "{table:?}: {message}"
+        );
     }
 }
 
 #[test]
 fn with_keep_going_a_bad_row_stays_and_is_counted() {
-    let run = evaluate("n,disk_mass\n1,0\n2,1\n3\n4,1,9\n", &["-q", "sir_width", "--keep-going"]);
+    let run = evaluate(
+        "n,disk_mass\n1,0\n2,1\n3\n4,1,9\n",
+        &["-q", "sir_width", "--keep-going"],
+    );
     assert_eq!(run.code, 1);
     assert!(run.stderr.contains("3 of 4 rows"), "{}", run.stderr);
     let table = cells(&run.stdout);
@@ -123,15 +180,24 @@ fn headers_that_cannot_be_used_are_refused() {
     let tables = [
         ("", "is empty"),
         ("\n\n", "is empty"),
-        ("disk_mass,disk.mass\n1,1\n", "has two columns, 1 (`disk_mass`) and 2 (`disk.mass`)"),
+        (
+            "disk_mass,disk.mass\n1,1\n",
+            "has two columns, 1 (`disk_mass`) and 2 (`disk.mass`)",
+        ),
         ("disk_mass,error\n1,1\n", "`error` is the name of a result"),
-        ("disk_mass,sir_width\n1,1\n", "column 2: `sir_width` is the name of a result"),
+        (
+            "disk_mass,sir_width\n1,1\n",
+            "column 2: `sir_width` is the name of a result",
+        ),
     ];
     for (table, expected) in tables {
         let message = refused(table, &["-q", "sir_width"]);
         assert!(message.contains(expected), "{table:?}: {message}");
     }
-    assert!(refused("\u{feff}disk_mass\n-1\n", &[]).contains("column `disk_mass`"), "a byte order mark is no letter");
+    assert!(
+        refused("\u{feff}disk_mass\n-1\n", &[]).contains("column `disk_mass`"),
+        "a byte order mark is no letter"
+    );
     assert!(refused(b"\xff\xfed\0i\0", &[]).contains("UTF-16"));
 }
 
@@ -145,23 +211,40 @@ fn replace_drops_what_is_in_the_way() {
 #[test]
 fn a_header_alone_gives_a_header() {
     let run = evaluate("disk_mass,x", &["-q", "beta"]);
-    assert_eq!((run.code, run.stdout.as_str()), (0, "disk_mass,x,beta,error\n"));
+    assert_eq!(
+        (run.code, run.stdout.as_str()),
+        (0, "disk_mass,x,beta,error\n")
+    );
 }
 
 #[test]
 fn columns_that_look_like_inputs_are_remarked_upon() {
     let run = evaluate("disk_mas,disk_mass\n1,1\n", &["-q", "beta"]);
     assert_eq!(run.code, 0);
-    assert!(run.stderr.contains("`disk_mas`") && run.stderr.contains("did you mean `disk_mass`?"), "{}", run.stderr);
+    assert!(
+        run.stderr.contains("`disk_mas`") && run.stderr.contains("did you mean `disk_mass`?"),
+        "{}",
+        run.stderr
+    );
     let run = evaluate("disk_mass;crack_angle\n1;2\n", &["-q", "beta"]);
-    assert!(run.stderr.contains("separated by semicolons"), "{}", run.stderr);
-    assert_eq!(evaluate("note,disk_mass\n1,1\n", &["-q", "beta"]).stderr, "");
+    assert!(
+        run.stderr.contains("separated by semicolons"),
+        "{}",
+        run.stderr
+    );
+    assert_eq!(
+        evaluate("note,disk_mass\n1,1\n", &["-q", "beta"]).stderr,
+        ""
+    );
 }
 
 #[test]
 fn bytes_of_other_columns_are_carried_through_and_those_of_inputs_must_be_text() {
     let place = Workplace::new();
-    let run = place.run_on(&["evaluate", "-", "-q", "beta", "-o", "out.csv"], b"n,disk_mass\r\n\xe9t\xe9,1\r\n");
+    let run = place.run_on(
+        &["evaluate", "-", "-q", "beta", "-o", "out.csv"],
+        b"n,disk_mass\r\n\xe9t\xe9,1\r\n",
+    );
     assert_eq!(run.code, 0, "{}", run.stderr);
     let bytes = std::fs::read(place.path("out.csv")).unwrap();
     assert!(bytes.windows(4).any(|window| window == b"\xe9t\xe9,"));
@@ -173,13 +256,19 @@ fn a_table_can_be_replaced_by_its_results() {
     let place = Workplace::new().with("t.csv", "crack_angle\n0\n");
     let run = place.run(&["evaluate", "t.csv", "-o", "t.csv", "-q", "beta"]);
     assert_eq!(run.code, 0, "{}", run.stderr);
-    assert!(place.read("t.csv").starts_with("crack_angle,beta,error\n0,1.5"));
+    assert!(
+        place
+            .read("t.csv")
+            .starts_with("crack_angle,beta,error\n0,1.5")
+    );
     assert_eq!(place.names(), ["t.csv"]);
 }
 
 #[test]
 fn an_output_file_keeps_its_content_when_a_row_is_bad() {
-    let place = Workplace::new().with("t.csv", "disk_mass\n1\n0\n").with("out.csv", "before");
+    let place = Workplace::new()
+        .with("t.csv", "disk_mass\n1\n0\n")
+        .with("out.csv", "before");
     let run = place.run(&["evaluate", "t.csv", "-o", "out.csv"]);
     assert_eq!(run.code, 2);
     assert_eq!(place.read("out.csv"), "before");
@@ -191,14 +280,23 @@ fn an_output_file_keeps_its_content_when_a_row_is_bad() {
 fn a_new_file_can_be_read_by_others_and_an_old_one_keeps_its_permissions_and_links() {
     use std::os::unix::fs::{PermissionsExt, symlink};
     let mode = |path| std::fs::metadata(path).unwrap().permissions().mode() & 0o777;
-    let place = Workplace::new().with("t.csv", "disk_mass\n1\n").with("old.csv", "");
+    let place = Workplace::new()
+        .with("t.csv", "disk_mass\n1\n")
+        .with("old.csv", "");
     let usual = mode(place.path("t.csv"));
     std::fs::set_permissions(place.path("old.csv"), PermissionsExt::from_mode(0o640)).unwrap();
     symlink("old.csv", place.path("link.csv")).unwrap();
     assert_eq!(place.run(&["evaluate", "t.csv", "-o", "new.csv"]).code, 0);
     assert_eq!(place.run(&["evaluate", "t.csv", "-o", "link.csv"]).code, 0);
-    assert_eq!((mode(place.path("new.csv")), mode(place.path("old.csv"))), (usual, 0o640));
-    assert!(std::fs::symlink_metadata(place.path("link.csv")).unwrap().is_symlink());
+    assert_eq!(
+        (mode(place.path("new.csv")), mode(place.path("old.csv"))),
+        (usual, 0o640)
+    );
+    assert!(
+        std::fs::symlink_metadata(place.path("link.csv"))
+            .unwrap()
+            .is_symlink()
+    );
     assert!(place.read("old.csv").contains("sir_width"));
 }
 
@@ -206,15 +304,25 @@ fn a_new_file_can_be_read_by_others_and_an_old_one_keeps_its_permissions_and_lin
 fn what_cannot_be_read_written_or_computed_is_named() {
     let place = Workplace::new().with("t.csv", "disk_mass\n1\n");
     let cases = [
-        (["evaluate", "none.csv", "-o", "o.csv"], "cannot read `none.csv`"),
+        (
+            ["evaluate", "none.csv", "-o", "o.csv"],
+            "cannot read `none.csv`",
+        ),
         (["evaluate", ".", "-o", "o.csv"], "it is a folder"),
         (["evaluate", "t.csv", "-o", "."], "it is a folder"),
-        (["evaluate", "t.csv", "-o", "no/o.csv"], "cannot write `no/o.csv`"),
+        (
+            ["evaluate", "t.csv", "-o", "no/o.csv"],
+            "cannot write `no/o.csv`",
+        ),
         (["evaluate", "t.csv", "-q", "sir_with"], "sir_width"),
     ];
     for (arguments, expected) in cases {
         let run = place.run(&arguments);
-        assert!(run.code == 2 && run.stderr.contains(expected), "{arguments:?}: {}", run.stderr);
+        assert!(
+            run.code == 2 && run.stderr.contains(expected),
+            "{arguments:?}: {}",
+            run.stderr
+        );
     }
 }
 
@@ -231,7 +339,10 @@ fn a_long_table_is_in_order() {
         assert_eq!(row[0], format!("{}", index as f64 * 1e-3));
     }
     for row in [1, 4097, 10_000] {
-        let alone = evaluate(format!("crack_angle\n{}\n", rows[row][0]), &["-q", "sir_width"]);
+        let alone = evaluate(
+            format!("crack_angle\n{}\n", rows[row][0]),
+            &["-q", "sir_width"],
+        );
         assert_eq!(rows[row], cells(&alone.stdout)[1], "row {row}");
     }
 }

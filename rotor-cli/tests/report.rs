@@ -5,7 +5,8 @@ mod common;
 use common::{Workplace, cells, rotor_file};
 
 const FIGURES: [&str; 9] = [
-    "figure-3", "figure-4", "figure-5", "figure-6", "figure-7", "figure-8", "figure-9", "map-cir", "map-sir",
+    "figure-3", "figure-4", "figure-5", "figure-6", "figure-7", "figure-8", "figure-9", "map-cir",
+    "map-sir",
 ];
 
 /// The last digits of Hill's widths are rounding, and not the same on every machine.
@@ -14,7 +15,16 @@ fn without_rounding(text: &str) -> String {
         if !line.contains("by Hill's method, Eq. (40)") {
             return line.to_owned();
         }
-        line.split(' ').map(|word| if word.starts_with("0.") { &word[..word.len() - 3] } else { word }).collect::<Vec<_>>().join(" ")
+        line.split(' ')
+            .map(|word| {
+                if word.starts_with("0.") {
+                    &word[..word.len() - 3]
+                } else {
+                    word
+                }
+            })
+            .collect::<Vec<_>>()
+            .join(" ")
     };
     text.lines().map(shorten).collect::<Vec<_>>().join("\n")
 }
@@ -25,7 +35,10 @@ fn without_a_command_it_reports_on_the_papers_rotor() {
     let run = place.run(&[]);
     assert_eq!((run.code, run.stderr.as_str()), (0, ""));
     insta::assert_snapshot!(without_rounding(&run.stdout));
-    assert!(run.stdout.lines().all(|line| line.chars().count() <= 100), "100 columns");
+    assert!(
+        run.stdout.lines().all(|line| line.chars().count() <= 100),
+        "100 columns"
+    );
     assert!(!run.stdout.contains('\u{1b}'), "no control codes in a pipe");
     assert_eq!(place.names(), ["rotor-report"]);
     let mut expected: Vec<String> = vec!["report.html".to_owned()];
@@ -34,15 +47,24 @@ fn without_a_command_it_reports_on_the_papers_rotor() {
     }
     expected.sort();
     let folder = place.path("rotor-report");
-    let mut names: Vec<_> =
-        std::fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    let mut names: Vec<_> = std::fs::read_dir(&folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
     names.sort();
     assert_eq!(names, expected);
     for figure in FIGURES {
-        assert!(std::fs::read(folder.join(format!("{figure}.png"))).unwrap().starts_with(b"\x89PNG"));
+        assert!(
+            std::fs::read(folder.join(format!("{figure}.png")))
+                .unwrap()
+                .starts_with(b"\x89PNG")
+        );
         let svg = std::fs::read_to_string(folder.join(format!("{figure}.svg"))).unwrap();
         assert!(svg.contains("<svg") && svg.trim_end().ends_with("</svg>"));
-        assert!(cells(&std::fs::read_to_string(folder.join(format!("{figure}.csv"))).unwrap()).len() > 10);
+        assert!(
+            cells(&std::fs::read_to_string(folder.join(format!("{figure}.csv"))).unwrap()).len()
+                > 10
+        );
     }
 }
 
@@ -57,38 +79,69 @@ fn the_page_needs_nothing_from_outside_and_says_what_the_terminal_says() {
         assert!(!page.contains(outside), "{outside}");
     }
     // Numbers, and the words of the notes.
-    for word in run.stdout.split_whitespace().filter(|word| word.parse::<f64>().is_ok()) {
+    for word in run
+        .stdout
+        .split_whitespace()
+        .filter(|word| word.parse::<f64>().is_ok())
+    {
         assert!(page.contains(word), "{word} is only on the terminal");
     }
     assert!(page.contains("crack model support-arm, edge half"));
-    assert!(page.matches("crack model support-arm").count() > FIGURES.len(), "each caption names the model");
+    assert!(
+        page.matches("crack model support-arm").count() > FIGURES.len(),
+        "each caption names the model"
+    );
 }
 
 #[test]
 fn numbers_of_the_paper_stand_in_the_report() {
     let run = Workplace::new().run(&["report"]);
-    for number in
-        ["646.3700572", "-0.9102808071", "1.551667703", "0.7388659083", "2.553152221", "0.07173310149", "0.07171721847",
-         "0.1692517111", "0.1614596242", "0.2316400263", "0.2647358801"]
-    {
+    for number in [
+        "646.3700572",
+        "-0.9102808071",
+        "1.551667703",
+        "0.7388659083",
+        "2.553152221",
+        "0.07173310149",
+        "0.07171721847",
+        "0.1692517111",
+        "0.1614596242",
+        "0.2316400263",
+        "0.2647358801",
+    ] {
         assert!(run.stdout.contains(number), "{number}");
     }
 }
 
 #[test]
 fn a_rotor_without_a_combination_region_is_told_so() {
-    let place = Workplace::new().with("a.toml", rotor_file("polar_inertia = 0.2096", "polar_inertia = 0.2794"));
+    let place = Workplace::new().with(
+        "a.toml",
+        rotor_file("polar_inertia = 0.2096", "polar_inertia = 0.2794"),
+    );
     let run = place.run(&["report", "a.toml"]);
     assert_eq!(run.code, 0, "{}", run.stderr);
     assert!(run.stdout.contains("Rotor: a.toml"));
-    assert!(run.stdout.contains("None: there is no combination instability region at beta = 2"), "{}", run.stdout);
+    assert!(
+        run.stdout
+            .contains("None: there is no combination instability region at beta = 2"),
+        "{}",
+        run.stdout
+    );
     assert!(!run.stdout.contains("NaN"));
-    assert!(run.stdout.lines().all(|line| line.chars().count() <= 100), "{}", run.stdout);
+    assert!(
+        run.stdout.lines().all(|line| line.chars().count() <= 100),
+        "{}",
+        run.stdout
+    );
 }
 
 #[test]
 fn a_second_simple_region_is_reported() {
-    let place = Workplace::new().with("a.toml", rotor_file("polar_inertia = 0.2096", "polar_inertia = 0.07"));
+    let place = Workplace::new().with(
+        "a.toml",
+        rotor_file("polar_inertia = 0.2096", "polar_inertia = 0.07"),
+    );
     let run = place.run(&["report", "a.toml"]);
     assert_eq!(run.code, 0, "{}", run.stderr);
     assert!(run.stdout.contains("second SIR"), "{}", run.stdout);
@@ -96,13 +149,28 @@ fn a_second_simple_region_is_reported() {
 
 #[test]
 fn a_closed_region_and_a_doubtful_disk_are_told() {
-    let file = rotor_file("asymmetry = 0.2", "asymmetry = 0.9").replace("depth_ratio = 0.2", "depth_ratio = 0");
-    let run = Workplace::new().with("a.toml", file).run(&["report", "a.toml"]);
-    assert!(run.stdout.contains("Warning: disk_asymmetry is 0.9"), "{} {}", run.stdout, run.stderr);
-    let file = rotor_file("asymmetry = 0.2", "asymmetry = 0").replace("depth_ratio = 0.2", "depth_ratio = 0");
-    let run = Workplace::new().with("a.toml", file).run(&["report", "a.toml"]);
+    let file = rotor_file("asymmetry = 0.2", "asymmetry = 0.9")
+        .replace("depth_ratio = 0.2", "depth_ratio = 0");
+    let run = Workplace::new()
+        .with("a.toml", file)
+        .run(&["report", "a.toml"]);
+    assert!(
+        run.stdout.contains("Warning: disk_asymmetry is 0.9"),
+        "{} {}",
+        run.stdout,
+        run.stderr
+    );
+    let file = rotor_file("asymmetry = 0.2", "asymmetry = 0")
+        .replace("depth_ratio = 0.2", "depth_ratio = 0");
+    let run = Workplace::new()
+        .with("a.toml", file)
+        .run(&["report", "a.toml"]);
     assert_eq!(run.code, 0, "{}", run.stderr);
-    assert!(run.stdout.contains("No width by Hill's method: ") && !run.stdout.contains("NaN"), "{}", run.stdout);
+    assert!(
+        run.stdout.contains("No width by Hill's method: ") && !run.stdout.contains("NaN"),
+        "{}",
+        run.stdout
+    );
 }
 
 #[test]
@@ -116,6 +184,10 @@ fn the_folder_keeps_other_files_and_appears_only_when_all_is_made() {
     assert_eq!(place.read("out/mine.txt"), "mine");
     assert!(place.path("out/report.html").is_file());
     let run = place.run(&["report", "-o", "file"]);
-    assert!(run.code == 2 && run.stderr.contains("`file`: it is not a folder"), "{}", run.stderr);
+    assert!(
+        run.code == 2 && run.stderr.contains("`file`: it is not a folder"),
+        "{}",
+        run.stderr
+    );
     assert_eq!(place.names(), ["a.toml", "file", "out"]);
 }

@@ -6,7 +6,9 @@ use common::{Workplace, rotor_file};
 
 /// The message for a file that must be refused.
 fn refused(content: impl AsRef<[u8]>) -> String {
-    let run = Workplace::new().with("shaft.toml", content).run(&["zup", "shaft.toml"]);
+    let run = Workplace::new()
+        .with("shaft.toml", content)
+        .run(&["zup", "shaft.toml"]);
     assert_eq!((run.code, run.stdout.as_str()), (2, ""));
     assert!(!run.stderr.contains('\u{1b}'), "no control codes in a pipe");
     run.stderr
@@ -36,31 +38,64 @@ fn init_writes_over_a_file_only_when_told_to() {
 
 #[test]
 fn integers_are_numbers_and_choices_may_be_left_out() {
-    let file = rotor_file("mass = 10.43", "mass = 1_0").replace("model =", "# model").replace("edge =", "# edge");
-    let run = Workplace::new().with("a.toml", &file).run(&["zup", "a.toml"]);
+    let file = rotor_file("mass = 10.43", "mass = 1_0")
+        .replace("model =", "# model")
+        .replace("edge =", "# edge");
+    let run = Workplace::new()
+        .with("a.toml", &file)
+        .run(&["zup", "a.toml"]);
     assert_eq!(run.code, 0, "{}", run.stderr);
     assert!(run.stdout.contains("crack model support-arm, edge half"));
-    let dotted = file.replace("[disk]\n", "").replace("mass = 1_0", "disk.mass = 10");
-    assert!(refused(dotted).contains("diametral_inertia"), "keys without their section are unknown");
+    let dotted = file
+        .replace("[disk]\n", "")
+        .replace("mass = 1_0", "disk.mass = 10");
+    assert!(
+        refused(dotted).contains("diametral_inertia"),
+        "keys without their section are unknown"
+    );
 }
 
 #[test]
 fn mistakes_are_shown_at_their_lines() {
-    insta::assert_snapshot!("misspelt_key", refused(rotor_file("mass = 10.43", "mas = 10.43")));
-    insta::assert_snapshot!("not_allowed", refused(rotor_file("depth_ratio = 0.2", "depth_ratio = 1.5")));
-    insta::assert_snapshot!("text_for_a_number", refused(rotor_file("length = 0.5045", "length = \"0.5045\"")));
-    insta::assert_snapshot!("unknown_model", refused(rotor_file("\"support-arm\"", "\"suport-arm\"")));
-    insta::assert_snapshot!("too_much_polar_inertia", refused(rotor_file("0.2096", "0.5")));
-    insta::assert_snapshot!("no_toml", refused(rotor_file("mass = 10.43", "mass = 10.43 kg")));
+    insta::assert_snapshot!(
+        "misspelt_key",
+        refused(rotor_file("mass = 10.43", "mas = 10.43"))
+    );
+    insta::assert_snapshot!(
+        "not_allowed",
+        refused(rotor_file("depth_ratio = 0.2", "depth_ratio = 1.5"))
+    );
+    insta::assert_snapshot!(
+        "text_for_a_number",
+        refused(rotor_file("length = 0.5045", "length = \"0.5045\""))
+    );
+    insta::assert_snapshot!(
+        "unknown_model",
+        refused(rotor_file("\"support-arm\"", "\"suport-arm\""))
+    );
+    insta::assert_snapshot!(
+        "too_much_polar_inertia",
+        refused(rotor_file("0.2096", "0.5"))
+    );
+    insta::assert_snapshot!(
+        "no_toml",
+        refused(rotor_file("mass = 10.43", "mass = 10.43 kg"))
+    );
     insta::assert_snapshot!("empty", refused(""));
 }
 
 #[test]
 fn the_right_place_of_a_key_is_told() {
     let cases = [
-        (("[disk]", "disk_mass = 1\n[disk]"), "write `mass` under `[disk]`"),
+        (
+            ("[disk]", "disk_mass = 1\n[disk]"),
+            "write `mass` under `[disk]`",
+        ),
         (("[shaft]", "[Shaft]"), "did you mean `shaft`?"),
-        (("mass = 10.43", "radius = 1\nmass = 10.43"), "`radius` belongs under `[shaft]`"),
+        (
+            ("mass = 10.43", "radius = 1\nmass = 10.43"),
+            "`radius` belongs under `[shaft]`",
+        ),
         (("mass = 10.43", "mass = nan"), "disk_mass is NaN"),
         (("mass = 10.43", "mass = 1e999"), "disk_mass is inf"),
         (("mass = 10.43", "mass = true"), "of type boolean"),
@@ -77,8 +112,13 @@ fn the_right_place_of_a_key_is_told() {
 
 #[test]
 fn all_mistakes_are_told_at_once() {
-    let message = refused(rotor_file("mass = 10.43", "mass = 0").replace("asymmetry = 0.2", "asymetry = 0.2"));
-    assert!(message.contains("disk_mass is 0 kg") && message.contains("`asymetry`"), "{message}");
+    let message = refused(
+        rotor_file("mass = 10.43", "mass = 0").replace("asymmetry = 0.2", "asymetry = 0.2"),
+    );
+    assert!(
+        message.contains("disk_mass is 0 kg") && message.contains("`asymetry`"),
+        "{message}"
+    );
     assert!(message.contains("disk.asymmetry is missing"), "{message}");
 }
 
@@ -86,8 +126,22 @@ fn all_mistakes_are_told_at_once() {
 fn files_in_other_encodings() {
     assert!(refused(b"\xff\xfe[\0").contains("UTF-16"));
     assert!(refused(b"[disk]\n# caf\xe9\n").contains("line 2"));
-    let marked = [b"\xef\xbb\xbf".as_slice(), rotor_file("mass = 10.43", "mass = 0").as_bytes()].concat();
-    assert!(refused(&marked).contains("shaft.toml:5:"), "{}", refused(&marked));
+    let marked = [
+        b"\xef\xbb\xbf".as_slice(),
+        rotor_file("mass = 10.43", "mass = 0").as_bytes(),
+    ]
+    .concat();
+    assert!(
+        refused(&marked).contains("shaft.toml:5:"),
+        "{}",
+        refused(&marked)
+    );
     let windows = rotor_file("mass = 10.43", "mass = 10.5").replace('\n', "\r\n");
-    assert_eq!(Workplace::new().with("a.toml", windows).run(&["zup", "a.toml"]).code, 0);
+    assert_eq!(
+        Workplace::new()
+            .with("a.toml", windows)
+            .run(&["zup", "a.toml"])
+            .code,
+        0
+    );
 }

@@ -24,7 +24,9 @@ impl Input {
         }
         CHOICES
             .iter()
-            .find(|(flat, section, key)| *flat == name || name.split_once('.') == Some((section, key)))
+            .find(|(flat, section, key)| {
+                *flat == name || name.split_once('.') == Some((section, key))
+            })
             .map(|(flat, ..)| Self::Choice(flat))
     }
 
@@ -64,7 +66,12 @@ impl Columns {
     /// Where an input has two columns, or a column is in the way of a result.
     pub(crate) fn new(header: &Row, results: &[&str], replace: bool) -> Result<Self, Failure> {
         let width = header.fields.len();
-        let mut columns = Self { width, inputs: Vec::new(), kept: vec![true; width], remarks: Vec::new() };
+        let mut columns = Self {
+            width,
+            inputs: Vec::new(),
+            kept: vec![true; width],
+            remarks: Vec::new(),
+        };
         for (index, bytes) in header.fields.iter().enumerate() {
             let heading = String::from_utf8_lossy(bytes).trim().to_owned();
             if results.contains(&heading.as_str()) {
@@ -78,7 +85,14 @@ impl Columns {
                 }
                 columns.kept[index] = false;
             } else if let Some(input) = Input::find(&heading) {
-                columns.add(header.line, Column { index, heading, input })?;
+                columns.add(
+                    header.line,
+                    Column {
+                        index,
+                        heading,
+                        input,
+                    },
+                )?;
             } else {
                 columns.remark_on(&heading);
             }
@@ -106,7 +120,10 @@ impl Columns {
 
     fn remark_on(&mut self, heading: &str) {
         let flat = heading.replace(['.', ' ', '-'], "_");
-        let names = INPUTS.iter().map(|input| input.name).chain(CHOICES.iter().map(|choice| choice.0));
+        let names = INPUTS
+            .iter()
+            .map(|input| input.name)
+            .chain(CHOICES.iter().map(|choice| choice.0));
         if let Some(near) = nearest(&flat, names) {
             self.remarks.push(format!(
                 "column `{heading}` is no input and is only carried through; did you mean `{near}`?"
@@ -132,19 +149,34 @@ impl Columns {
     /// # Errors
     ///
     /// Which column's value is wrong, and what is allowed.
-    pub(crate) fn parameters(&self, row: &Row, base: &RotorParameters) -> Result<RotorParameters, String> {
+    pub(crate) fn parameters(
+        &self,
+        row: &Row,
+        base: &RotorParameters,
+    ) -> Result<RotorParameters, String> {
         if row.fields.len() != self.width {
-            return Err(format!("the row has {} fields, the header has {}", row.fields.len(), self.width));
+            return Err(format!(
+                "the row has {} fields, the header has {}",
+                row.fields.len(),
+                self.width
+            ));
         }
         let mut parameters = *base;
         for column in &self.inputs {
             let bytes = row.fields.get(column.index).unwrap_or_default();
             let text = std::str::from_utf8(bytes)
-                .map_err(|_| format!("column `{}`: {:?} is not UTF-8", column.heading, String::from_utf8_lossy(bytes)))?
+                .map_err(|_| {
+                    format!(
+                        "column `{}`: {:?} is not UTF-8",
+                        column.heading,
+                        String::from_utf8_lossy(bytes)
+                    )
+                })?
                 .trim();
             match column.input {
                 Input::Number(input) => {
-                    let value = number(input, text).map_err(|why| format!("column `{}`: {why}", column.heading))?;
+                    let value = number(input, text)
+                        .map_err(|why| format!("column `{}`: {why}", column.heading))?;
                     (input.set)(&mut parameters, value);
                 }
                 Input::Choice(name) => set_choice(&mut parameters, name, text)
@@ -162,14 +194,22 @@ fn number(input: &NumericInput, text: &str) -> Result<f64, String> {
         return Err(format!("the cell is empty, {wants}"));
     }
     // `nan`, `inf` and `infinity` would be read as floats.
-    let has_letters = text.chars().any(|letter| letter.is_alphabetic() && !matches!(letter, 'e' | 'E'));
+    let has_letters = text
+        .chars()
+        .any(|letter| letter.is_alphabetic() && !matches!(letter, 'e' | 'E'));
     let value: f64 = match text.parse() {
         Ok(value) if !has_letters => value,
-        _ if text.contains(',') => return Err(format!("\"{text}\" is no number (write a point, not a comma), {wants}")),
+        _ if text.contains(',') => {
+            return Err(format!(
+                "\"{text}\" is no number (write a point, not a comma), {wants}"
+            ));
+        }
         _ => return Err(format!("\"{text}\" is no number, {wants}")),
     };
     if !value.is_finite() {
-        return Err(format!("\"{text}\" is too large for a number in double precision, {wants}"));
+        return Err(format!(
+            "\"{text}\" is too large for a number in double precision, {wants}"
+        ));
     }
     if !input.allowed.contains(value) {
         return Err(format!("\"{text}\" is not allowed, {wants}"));

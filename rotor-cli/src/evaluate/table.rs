@@ -52,7 +52,11 @@ pub(crate) struct Rows<R> {
 impl<R: BufRead> Rows<R> {
     /// Rows of `source`, from its first line.
     pub(crate) fn new(source: R) -> Self {
-        Self { source, line: 1, row: Vec::new() }
+        Self {
+            source,
+            line: 1,
+            row: Vec::new(),
+        }
     }
 
     /// The next row, none at the end.
@@ -82,7 +86,10 @@ impl<R: BufRead> Rows<R> {
                 .buffer_capacity(self.row.len())
                 .from_reader(self.row.as_slice());
             let mut fields = ByteRecord::new();
-            if reader.read_byte_record(&mut fields).map_err(io::Error::from)? {
+            if reader
+                .read_byte_record(&mut fields)
+                .map_err(io::Error::from)?
+            {
                 return Ok(Some(Row { line, fields }));
             }
         }
@@ -106,9 +113,15 @@ impl<R: BufRead> Rows<R> {
                 };
             }
             self.line += 1;
-            quotes = self.row[before..].iter().fold(quotes, |quotes, &byte| quotes.after(byte));
+            quotes = self.row[before..]
+                .iter()
+                .fold(quotes, |quotes, &byte| quotes.after(byte));
             if quotes != Quotes::Inside {
-                while self.row.last().is_some_and(|byte| matches!(byte, b'\n' | b'\r')) {
+                while self
+                    .row
+                    .last()
+                    .is_some_and(|byte| matches!(byte, b'\n' | b'\r'))
+                {
                     self.row.pop();
                 }
                 return Ok(true);
@@ -150,7 +163,10 @@ mod tests {
         let mut rows = Rows::new(text);
         let mut found = Vec::new();
         while let Some(row) = rows.next_row()? {
-            let fields = row.fields.iter().map(|field| String::from_utf8_lossy(field).into_owned());
+            let fields = row
+                .fields
+                .iter()
+                .map(|field| String::from_utf8_lossy(field).into_owned());
             found.push((row.line, fields.collect()));
         }
         Ok(found)
@@ -174,7 +190,10 @@ mod tests {
 
     #[test]
     fn a_mark_of_byte_order_is_no_part_of_the_first_name() {
-        assert_eq!(rows(b"\xef\xbb\xbfa,b\n").unwrap(), vec![row(1, &["a", "b"])]);
+        assert_eq!(
+            rows(b"\xef\xbb\xbfa,b\n").unwrap(),
+            vec![row(1, &["a", "b"])]
+        );
         assert!(matches!(rows(b"\xff\xfea\0"), Err(TableError::Utf16)));
     }
 
@@ -186,7 +205,10 @@ mod tests {
 
     #[test]
     fn a_quote_that_is_not_closed_is_told_with_its_line() {
-        assert!(matches!(rows(b"a,b\n1,\"2\n3,4\n"), Err(TableError::OpenQuote { line: 2 })));
+        assert!(matches!(
+            rows(b"a,b\n1,\"2\n3,4\n"),
+            Err(TableError::OpenQuote { line: 2 })
+        ));
         let long = [b"a\n\"".as_slice(), &vec![b'x'; LONGEST_ROW + 5]].concat();
         assert!(matches!(rows(&long), Err(TableError::TooLong { line: 2 })));
     }

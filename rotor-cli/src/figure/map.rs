@@ -120,7 +120,7 @@ fn cells(page: &Page<'_>, frame: &Frame<'_>, map: &Map, scale: &Scale) -> Result
         edges(&map.x_values, x_window),
         edges(&map.y_values, y_window),
     );
-    let mut spans: Vec<(usize, (f64, f64), (f64, f64))> = Vec::new();
+    let mut spans: Vec<(usize, Segment)> = Vec::new();
     let rows = y
         .iter()
         .zip(y.iter().skip(1))
@@ -130,15 +130,15 @@ fn cells(page: &Page<'_>, frame: &Frame<'_>, map: &Map, scale: &Scale) -> Result
         for ((&left, &right), value) in x.iter().zip(x.iter().skip(1)).zip(row) {
             let here = value.map(|value| shade(scale, value));
             match (here, spans.last_mut()) {
-                (Some(_), Some(span)) if here == before => span.2.0 = right,
-                (Some(here), _) => spans.push((here, (left, low), (right, high))),
+                (Some(_), Some(span)) if here == before => span.1.1.0 = right,
+                (Some(here), _) => spans.push((here, ((left, low), (right, high)))),
                 (None, _) => {}
             }
             before = here;
         }
     }
     spans.sort_by_key(|span| span.0);
-    for (shade, from, to) in spans {
+    for (shade, (from, to)) in spans {
         let ((left, bottom), (right, top)) = (frame.at(from), frame.at(to));
         if left < right && top < bottom {
             page.draw(&Rectangle::new(
@@ -257,7 +257,7 @@ fn roomiest(
     inside.max_by_key(room)
 }
 
-/// A straight piece of a contour line.
+/// Two points of the plot: the ends of a straight piece of a contour line, or opposite corners.
 pub(super) type Segment = ((f64, f64), (f64, f64));
 
 /// The contour line of a level in pieces, by marching squares with linear interpolation. Squares with a corner where

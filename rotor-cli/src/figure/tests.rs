@@ -386,9 +386,10 @@ fn points_of_a_curve_lie_where_the_axes_say() {
     let [x0, y0, x1, y1, x2, y2] = at[..] else {
         panic!("{at:?}")
     };
-    let [left, top, width, height, ..] = edge[..] else {
+    let [left, top, right, bottom, ..] = edge[..] else {
         panic!("{edge:?}")
     };
+    let (width, height) = (right - left, bottom - top);
     // To a canvas unit, 1/32 of a pixel, and its rounding to hundredths.
     let near = |a: f64, b: f64| assert!((a - b).abs() < 0.06, "{a} is not {b}");
     near(x0, left);

@@ -42,12 +42,18 @@ pub(crate) struct Region {
 impl Region {
     /// Relative difference of the approximate width to the exact one; none where a width is missing or zero.
     pub(crate) fn approximation_difference(&self) -> Option<f64> {
-        relative(*self.width.as_ref().ok()?, self.exact.as_ref().ok()?.width())
+        relative(
+            *self.width.as_ref().ok()?,
+            self.exact.as_ref().ok()?.width(),
+        )
     }
 
     /// Relative difference of Hill's width to the exact one.
     pub(crate) fn hill_difference(&self) -> Option<f64> {
-        relative(self.hill.as_ref().ok()?.width(), self.exact.as_ref().ok()?.width())
+        relative(
+            self.hill.as_ref().ok()?.width(),
+            self.exact.as_ref().ok()?.width(),
+        )
     }
 }
 
@@ -63,17 +69,29 @@ impl Analysis {
     /// Where the rotor has no coefficients in double precision.
     pub(crate) fn new(named: NamedRotor) -> Result<Self, Failure> {
         let rotor = &named.rotor;
-        let failed = |error: rotor_core::rotor::NoCoefficients| Failure::input(format!("{}: {error}", named.name));
+        let failed = |error: rotor_core::rotor::NoCoefficients| {
+            Failure::input(format!("{}: {error}", named.name))
+        };
         let compliance = rotor.compliance().map_err(failed)?;
         let coefficients = rotor.coefficients().map_err(failed)?;
         let reference_speed = rotor.reference_speed().map_err(failed)?;
         let regions = regions(&coefficients);
-        Ok(Self { named, compliance, coefficients, reference_speed, regions })
+        Ok(Self {
+            named,
+            compliance,
+            coefficients,
+            reference_speed,
+            regions,
+        })
     }
 
     /// The regions whose width by Hill's method is not the exact one.
     pub(crate) fn disagreements(&self) -> Vec<RegionKind> {
-        let differs = |region: &Region| region.hill_difference().is_some_and(|difference| difference.abs() > AGREEMENT);
+        let differs = |region: &Region| {
+            region
+                .hill_difference()
+                .is_some_and(|difference| difference.abs() > AGREEMENT)
+        };
         self.regions
             .iter()
             .filter(|(_, region)| region.as_ref().is_ok_and(differs))
@@ -91,11 +109,20 @@ fn regions(c: &Coefficients) -> Vec<(RegionKind, Result<Region, String>)> {
         .collect();
     let exact: Vec<Option<Ends>> = regions
         .iter()
-        .map(|(_, region)| region.as_ref().ok().and_then(|region| region.exact.as_ref().ok().copied()))
+        .map(|(_, region)| {
+            region
+                .as_ref()
+                .ok()
+                .and_then(|region| region.exact.as_ref().ok().copied())
+        })
         .collect();
     for (index, (_, region)) in regions.iter_mut().enumerate() {
         if let Ok(region) = region {
-            let others = exact.iter().enumerate().filter(|(other, _)| *other != index).filter_map(|(_, ends)| *ends);
+            let others = exact
+                .iter()
+                .enumerate()
+                .filter(|(other, _)| *other != index)
+                .filter_map(|(_, ends)| *ends);
             region.hill = hill_ends(c, region, &others.collect::<Vec<_>>());
         }
     }
@@ -105,11 +132,20 @@ fn regions(c: &Coefficients) -> Vec<(RegionKind, Result<Region, String>)> {
 fn hill_ends(c: &Coefficients, region: &Region, others: &[Ends]) -> Result<Ends, String> {
     if let Ok(exact) = region.exact {
         // The growth rate says that the motion grows, not in which region.
-        if others.iter().any(|other| other.lower <= exact.upper && exact.lower <= other.upper) {
-            return Err("it overlaps another region, the growth rate does not tell them apart".to_owned());
+        if others
+            .iter()
+            .any(|other| other.lower <= exact.upper && exact.lower <= other.upper)
+        {
+            return Err(
+                "it overlaps another region, the growth rate does not tell them apart".to_owned(),
+            );
         }
     }
-    hill::ends(c, region.start, *region.width.as_ref().map_err(String::clone)?)
+    hill::ends(
+        c,
+        region.start,
+        *region.width.as_ref().map_err(String::clone)?,
+    )
 }
 
 fn without_hill(kind: RegionKind, c: &Coefficients) -> Result<Region, String> {
@@ -120,4 +156,44 @@ fn without_hill(kind: RegionKind, c: &Coefficients) -> Result<Region, String> {
         exact: region::exact_ends(kind, c).map_err(|error| error.to_string()),
         hill: Err("not computed".to_owned()),
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rotor_core::rotor::Rotor;
+
+    #[test]
+    fn a_width_by_hill_that_is_off_fails_the_check() {
+        let named = NamedRotor {
+            rotor: Rotor::default(),
+            name: "a test".to_owned(),
+        };
+        let mut analysis = Analysis::new(named).unwrap();
+        assert_eq!(analysis.disagreements(), []);
+        let region = analysis.regions[1].1.as_mut().unwrap();
+        let hill = region.hill.clone().unwrap();
+        region.hill = Ok(Ends {
+            upper: hill.upper + 1e-5 * hill.width(),
+            ..hill
+        });
+        assert_eq!(analysis.disagreements(), [RegionKind::Combination]);
+    }
+
+    #[test]
+    fn hill_is_not_asked_where_regions_overlap() {
+        let c = Rotor::default().coefficients().unwrap();
+        let region = without_hill(RegionKind::Simple, &c).unwrap();
+        let exact = region.exact.clone().unwrap();
+        let touching = Ends {
+            lower: exact.upper,
+            upper: exact.upper + 1.0,
+        };
+        assert!(hill_ends(&c, &region, &[touching]).is_err());
+        let apart = Ends {
+            lower: exact.upper + 0.1,
+            upper: exact.upper + 1.0,
+        };
+        assert!(hill_ends(&c, &region, &[apart]).is_ok());
+    }
 }

@@ -33,7 +33,9 @@ pub(crate) fn figures(analysis: &Analysis) -> Vec<Figure> {
         maps::figure(rotor, RegionKind::Combination),
     ];
     for figure in &mut figures {
-        figure.caption.push_str(&format!(" {}.", rotor_of(analysis)));
+        figure
+            .caption
+            .push_str(&format!(" {}.", rotor_of(analysis)));
     }
     figures
 }
@@ -60,13 +62,22 @@ fn changed(rotor: &Rotor, change: impl FnOnce(&mut RotorParameters)) -> Option<C
 
 /// The approximate width at another crack angle.
 fn width_at(kind: RegionKind, c: &Coefficients, angle: f64) -> Option<f64> {
-    region::width(kind, &Coefficients { crack_angle: angle, ..*c }).ok()
+    region::width(
+        kind,
+        &Coefficients {
+            crack_angle: angle,
+            ..*c
+        },
+    )
+    .ok()
 }
 
 /// Evenly spaced values, both ends included.
 fn spaced(from: f64, to: f64, count: usize) -> Vec<f64> {
     let last = count.saturating_sub(1).max(1) as f64;
-    (0..count).map(|index| from + (to - from) * (index as f64 / last)).collect()
+    (0..count)
+        .map(|index| from + (to - from) * (index as f64 / last))
+        .collect()
 }
 
 /// The deepest crack shown over the depth: the paper's 0.4, or more for a rotor with a deeper one.
@@ -75,7 +86,11 @@ fn deepest(rotor: &Rotor) -> f64 {
 }
 
 fn axis(label: impl Into<String>) -> Axis {
-    Axis { label: label.into(), range: None, ticks: Ticks::Decimal }
+    Axis {
+        label: label.into(),
+        range: None,
+        ticks: Ticks::Decimal,
+    }
 }
 
 fn angle_axis() -> Axis {
@@ -87,18 +102,41 @@ fn angle_axis() -> Axis {
 }
 
 fn depth_axis(rotor: &Rotor) -> Axis {
-    Axis { label: "σ = *a*/*R* [–]".to_owned(), range: Some((0.0, deepest(rotor))), ticks: Ticks::Decimal }
+    Axis {
+        label: "σ = *a*/*R* [–]".to_owned(),
+        range: Some((0.0, deepest(rotor))),
+        ticks: Ticks::Decimal,
+    }
 }
 
-fn line(label: impl Into<String>, colour: usize, dash: Dash, points: Vec<(f64, Option<f64>)>) -> Curve {
-    Curve { label: label.into(), colour, mark: Mark::Line(dash), points }
+fn line(
+    label: impl Into<String>,
+    colour: usize,
+    dash: Dash,
+    points: Vec<(f64, Option<f64>)>,
+) -> Curve {
+    Curve {
+        label: label.into(),
+        colour,
+        mark: Mark::Line(dash),
+        points,
+    }
 }
 
 fn panel(title: &str, x: Axis, y: Axis, curves: Vec<Curve>) -> Panel {
     // A panel without a single value still shows its axes.
-    let empty = curves.iter().flat_map(|curve| &curve.points).all(|(_, y)| y.is_none());
+    let empty = curves
+        .iter()
+        .flat_map(|curve| &curve.points)
+        .all(|(_, y)| y.is_none());
     let range = if empty { Some((0.0, 1.0)) } else { y.range };
-    Panel { title: title.to_owned(), x, y: Axis { range, ..y }, curves, annotations: Vec::new() }
+    Panel {
+        title: title.to_owned(),
+        x,
+        y: Axis { range, ..y },
+        curves,
+        annotations: Vec::new(),
+    }
 }
 
 /// `λ_s` or `λ_c`, and the letter of its panel.
@@ -110,7 +148,10 @@ fn width_symbol(kind: RegionKind) -> &'static str {
 }
 
 /// The regions of the paper's figures with the titles of their panels.
-const PANELS: [(RegionKind, &str); 2] = [(RegionKind::Simple, "(a) SIR"), (RegionKind::Combination, "(b) CIR")];
+const PANELS: [(RegionKind, &str); 2] = [
+    (RegionKind::Simple, "(a) SIR"),
+    (RegionKind::Combination, "(b) CIR"),
+];
 
 #[cfg(test)]
 mod tests {
@@ -119,7 +160,10 @@ mod tests {
     use crate::rotor_file::NamedRotor;
 
     fn drawn(rotor: Rotor) -> Vec<Figure> {
-        let named = NamedRotor { rotor, name: "a test".to_owned() };
+        let named = NamedRotor {
+            rotor,
+            name: "a test".to_owned(),
+        };
         figures(&Analysis::new(named).unwrap())
     }
 
@@ -134,15 +178,31 @@ mod tests {
     fn floquet_points_lie_on_the_exact_curve_and_near_the_approximate_one() {
         let figures = drawn(Rotor::default());
         for panel in panels(&figures[1]) {
-            let [approximate, exact, hill] = panel.curves.as_slice() else { panic!("three curves") };
+            let [approximate, exact, hill] = panel.curves.as_slice() else {
+                panic!("three curves")
+            };
             assert!(hill.points.len() >= 13);
             for (angle, width) in &hill.points {
                 let at = |curve: &Curve| {
-                    curve.points.iter().find(|(other, _)| (other - angle).abs() < 1e-9).unwrap().1.unwrap()
+                    curve
+                        .points
+                        .iter()
+                        .find(|(other, _)| (other - angle).abs() < 1e-9)
+                        .unwrap()
+                        .1
+                        .unwrap()
                 };
                 let width = width.unwrap();
-                assert!((width / at(exact) - 1.0).abs() < 1e-7, "{} {angle}", panel.title);
-                assert!((width / at(approximate) - 1.0).abs() < 0.06, "{} {angle}", panel.title);
+                assert!(
+                    (width / at(exact) - 1.0).abs() < 1e-7,
+                    "{} {angle}",
+                    panel.title
+                );
+                assert!(
+                    (width / at(approximate) - 1.0).abs() < 0.06,
+                    "{} {angle}",
+                    panel.title
+                );
             }
         }
     }
@@ -152,7 +212,11 @@ mod tests {
         let figures = drawn(Rotor::default());
         for (figure, printed) in [(&figures[5], 0.231), (&figures[6], 0.265)] {
             let annotation = &panels(figure)[0].annotations[0];
-            assert!((annotation.at.0 - printed).abs() < 1e-3, "{}", annotation.label);
+            assert!(
+                (annotation.at.0 - printed).abs() < 1e-3,
+                "{}",
+                annotation.label
+            );
             assert!((annotation.at.1 - 0.2).abs() < 1e-9);
         }
     }
@@ -160,15 +224,25 @@ mod tests {
     #[test]
     fn every_caption_names_the_rotor_and_the_model() {
         for figure in drawn(Rotor::default()) {
-            assert!(figure.caption.contains("a test") && figure.caption.contains("support-arm"), "{}", figure.name);
+            assert!(
+                figure.caption.contains("a test") && figure.caption.contains("support-arm"),
+                "{}",
+                figure.name
+            );
         }
     }
 
     #[test]
     fn rotors_without_a_region_or_a_crack_still_have_figures() {
-        let no_combination = Rotor::default().with(|p| p.disk_polar_inertia = 2.0 * p.disk_diametral_inertia).unwrap();
-        let uncracked = Rotor::default().with(|p| p.crack_depth_ratio = 0.0).unwrap();
-        let half = Rotor::default().with(|p| p.disk_polar_inertia = 0.5 * p.disk_diametral_inertia).unwrap();
+        let no_combination = Rotor::default()
+            .with(|p| p.disk_polar_inertia = 2.0 * p.disk_diametral_inertia)
+            .unwrap();
+        let uncracked = Rotor::default()
+            .with(|p| p.crack_depth_ratio = 0.0)
+            .unwrap();
+        let half = Rotor::default()
+            .with(|p| p.disk_polar_inertia = 0.5 * p.disk_diametral_inertia)
+            .unwrap();
         let midspan = Rotor::default()
             .with(|p| {
                 p.disk_position_ratio = 0.5;
@@ -176,7 +250,9 @@ mod tests {
                 p.disk_asymmetry = 0.0;
             })
             .unwrap();
-        let broken = Rotor::default().with(|p| p.crack_depth_ratio = 1.0).unwrap();
+        let broken = Rotor::default()
+            .with(|p| p.crack_depth_ratio = 1.0)
+            .unwrap();
         for rotor in [no_combination, uncracked, half, midspan, broken] {
             for figure in drawn(rotor) {
                 figure.svg().unwrap();

@@ -32,14 +32,18 @@ type Sample = (f64, f64);
 /// Where the motion grows nowhere near (the region is closed or too narrow to tell), or the region has no end near.
 pub(crate) fn ends(c: &Coefficients, start: f64, width: f64) -> Result<Ends, String> {
     let inside = inside(c, start, width)?;
-    Ok(Ends { lower: end(c, inside, -STEP * width)?, upper: end(c, inside, STEP * width)? })
+    Ok(Ends {
+        lower: end(c, inside, -STEP * width)?,
+        upper: end(c, inside, STEP * width)?,
+    })
 }
 
 /// The square of the growth rate, none where nothing grows.
 fn growth(c: &Coefficients, speed: f64) -> Result<Option<Sample>, String> {
-    let growth = PeriodicSystem::rotor(c, speed).and_then(|system| hill::growth_rate(&system, HARMONICS));
+    let growth =
+        PeriodicSystem::rotor(c, speed).and_then(|system| hill::growth_rate(&system, HARMONICS));
     let growth = growth.map_err(|error| error.to_string())?;
-    Ok((growth > GROWS).then(|| (speed, growth * growth)))
+    Ok((growth > GROWS).then_some((speed, growth * growth)))
 }
 
 /// A speed at which the motion grows: the start itself or the nearest to it.
@@ -55,7 +59,9 @@ fn inside(c: &Coefficients, start: f64, width: f64) -> Result<Sample, String> {
             }
         }
     }
-    Err(format!("no growth rate near its start is above {TELLS:e}: it is closed, or too narrow to tell"))
+    Err(format!(
+        "no growth rate near its start is above {TELLS:e}: it is closed, or too narrow to tell"
+    ))
 }
 
 /// Where growth ends, going from a speed inside in the direction of `step`.
@@ -86,13 +92,24 @@ fn refined(c: &Coefficients, mut samples: Vec<Sample>, mut beyond: f64) -> Resul
     let mut guess = f64::NAN;
     for _ in 0..REFINEMENTS {
         let last = samples.last().map_or(beyond, |sample| sample.0);
-        let next = extrapolated(samples.get(samples.len().saturating_sub(POINTS)..).unwrap_or(&samples));
+        let next = extrapolated(
+            samples
+                .get(samples.len().saturating_sub(POINTS)..)
+                .unwrap_or(&samples),
+        );
         let between = (next - last) * (next - beyond) <= 0.0;
-        if between && samples.len() >= POINTS && (next - guess).abs() <= 4.0 * f64::EPSILON * next.abs().max(1.0) {
+        if between
+            && samples.len() >= POINTS
+            && (next - guess).abs() <= 4.0 * f64::EPSILON * next.abs().max(1.0)
+        {
             return Ok(next);
         }
         // Near to the guess but inside, or half way where there is no good guess.
-        let trial = if between && samples.len() > 2 { last + 0.8 * (next - last) } else { 0.5 * (last + beyond) };
+        let trial = if between && samples.len() > 2 {
+            last + 0.8 * (next - last)
+        } else {
+            0.5 * (last + beyond)
+        };
         if trial == last || trial == beyond {
             break;
         }
@@ -102,7 +119,9 @@ fn refined(c: &Coefficients, mut samples: Vec<Sample>, mut beyond: f64) -> Resul
             None => beyond = trial,
         }
     }
-    Ok(samples.last().map_or(beyond, |sample| 0.5 * (sample.0 + beyond)))
+    Ok(samples
+        .last()
+        .map_or(beyond, |sample| 0.5 * (sample.0 + beyond)))
 }
 
 /// The speed at which the square of the growth rate is zero, by Neville's inverse interpolation.
@@ -145,7 +164,10 @@ mod tests {
                 let start = region::start(kind, &c).unwrap();
                 let hill = ends(&c, start, region::width(kind, &c).unwrap()).unwrap();
                 let difference = hill.width() / exact.width() - 1.0;
-                assert!(difference.abs() < 1e-8, "{kind} {depth} {angle}: {difference:e}");
+                assert!(
+                    difference.abs() < 1e-8,
+                    "{kind} {depth} {angle}: {difference:e}"
+                );
             }
         }
     }

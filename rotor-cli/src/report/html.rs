@@ -15,7 +15,12 @@ pub(crate) struct Picture {
 const STYLE: &str = include_str!("style.css");
 
 /// The page.
-pub(crate) fn page(heading: &str, warnings: &[String], tables: &[Table], pictures: &[Picture]) -> String {
+pub(crate) fn page(
+    heading: &str,
+    warnings: &[String],
+    tables: &[Table],
+    pictures: &[Picture],
+) -> String {
     html! {
         (DOCTYPE)
         html lang="en" {
@@ -49,7 +54,11 @@ fn section(table: &Table) -> Markup {
                 div.scroll {
                     table {
                         @if table.headings.iter().any(|heading| !heading.is_empty()) {
-                            thead { tr { @for heading in &table.headings { th scope="col" { (symbol(heading)) } } } }
+                            thead { tr {
+                                @for (column, heading) in table.headings.iter().enumerate() {
+                                    th.number[table.is_numeric(column)] scope="col" { (symbol(heading)) }
+                                }
+                            } }
                         }
                         tbody {
                             @for row in &table.rows { tr { @for item in row { (cell(item)) } } }
@@ -101,7 +110,8 @@ fn figure(picture: &Picture) -> Markup {
 
 /// An SVG document without its XML declaration, which a page must not have inside.
 fn inline(svg: &str) -> &str {
-    svg.find("<svg").map_or(svg, |start| svg.get(start..).unwrap_or(svg))
+    svg.find("<svg")
+        .map_or(svg, |start| svg.get(start..).unwrap_or(svg))
 }
 
 #[cfg(test)]

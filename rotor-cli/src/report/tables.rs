@@ -45,11 +45,30 @@ fn inputs(analysis: &Analysis) -> Table {
         })
         .collect();
     let choice = |name: &str, value: &str, what: &str| {
-        vec![Cell::text(name), Cell::empty(), Cell::Number(value.to_owned()), Cell::empty(), Cell::text(what)]
+        vec![
+            Cell::text(name),
+            Cell::empty(),
+            Cell::Number(value.to_owned()),
+            Cell::empty(),
+            Cell::text(what),
+        ]
     };
-    rows.push(choice("crack_model", parameters.crack_model.name(), "how the crack enters the flexibility"));
-    rows.push(choice("crack_edge", parameters.crack_edge.name(), "how much of the crack's edge a moment opens"));
-    Table { title: "Inputs".to_owned(), headings: vec!["name", "symbol", "value", "unit", ""], rows, notes: vec![] }
+    rows.push(choice(
+        "crack_model",
+        parameters.crack_model.name(),
+        "how the crack enters the flexibility",
+    ));
+    rows.push(choice(
+        "crack_edge",
+        parameters.crack_edge.name(),
+        "how much of the crack's edge a moment opens",
+    ));
+    Table {
+        title: "Inputs".to_owned(),
+        headings: vec!["name", "symbol", "value", "unit", ""],
+        rows,
+        notes: vec![],
+    }
 }
 
 fn coefficients(analysis: &Analysis) -> Table {
@@ -79,7 +98,8 @@ fn coefficients(analysis: &Analysis) -> Table {
         })
         .collect();
     Table {
-        title: "Crack compliance, reference speed and dimensionless coefficients, Eqs. (8) to (12)".to_owned(),
+        title: "Crack compliance, reference speed and dimensionless coefficients, Eqs. (8) to (12)"
+            .to_owned(),
         headings: vec!["name", "symbol", "value", "unit"],
         rows,
         notes: vec![format!(
@@ -92,7 +112,10 @@ fn coefficients(analysis: &Analysis) -> Table {
 fn region_title(kind: RegionKind) -> String {
     let description = kind.description();
     let mut letters = description.chars();
-    let first = letters.next().map(|letter| letter.to_uppercase().to_string()).unwrap_or_default();
+    let first = letters
+        .next()
+        .map(|letter| letter.to_uppercase().to_string())
+        .unwrap_or_default();
     let condition = match kind {
         RegionKind::Simple => "SIR, from ω₂ = Ω",
         RegionKind::UpperSimple => "second SIR, from ω₁ = Ω",
@@ -102,8 +125,16 @@ fn region_title(kind: RegionKind) -> String {
 }
 
 fn region_table(analysis: &Analysis, kind: RegionKind, region: &Region) -> Table {
-    let equation = if kind == RegionKind::Combination { "Eq. (16)" } else { "Eq. (15)" };
-    let mut rows = vec![speeds(analysis, &format!("start, {equation}"), region.start)];
+    let equation = if kind == RegionKind::Combination {
+        "Eq. (16)"
+    } else {
+        "Eq. (15)"
+    };
+    let mut rows = vec![speeds(
+        analysis,
+        &format!("start, {equation}"),
+        region.start,
+    )];
     let mut notes = Vec::new();
     match &region.width {
         Ok(width) => rows.push(speeds(analysis, "approximate width, Eq. (31)", *width)),
@@ -118,17 +149,34 @@ fn region_table(analysis: &Analysis, kind: RegionKind, region: &Region) -> Table
         Err(why) => notes.push(format!("No exact ends: {why}.")),
     }
     match &region.hill {
-        Ok(ends) => rows.push(speeds(analysis, "width by Hill's method, Eq. (40)", ends.width())),
+        Ok(ends) => rows.push(speeds(
+            analysis,
+            "width by Hill's method, Eq. (40)",
+            ends.width(),
+        )),
         Err(why) => notes.push(format!("No width by Hill's method: {why}.")),
     }
     let differences = [
-        ("Eq. (31) is off the exact width by", region.approximation_difference()),
-        ("Hill's method is off the exact width by", region.hill_difference()),
+        (
+            "Eq. (31) is off the exact width by",
+            region.approximation_difference(),
+        ),
+        (
+            "Hill's method is off the exact width by",
+            region.hill_difference(),
+        ),
     ];
     notes.extend(
-        differences.into_iter().filter_map(|(what, value)| value.map(|value| format!("{what} {}.", percent(value)))),
+        differences
+            .into_iter()
+            .filter_map(|(what, value)| value.map(|value| format!("{what} {}.", percent(value)))),
     );
-    Table { title: region_title(kind), headings: vec!["", "× ω_st", "rad/s", "rpm"], rows, notes }
+    Table {
+        title: region_title(kind),
+        headings: vec!["", "× ω_st", "rad/s", "rpm"],
+        rows,
+        notes,
+    }
 }
 
 fn speeds(analysis: &Analysis, what: &str, relative: f64) -> Vec<Cell> {

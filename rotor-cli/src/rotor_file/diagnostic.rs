@@ -20,7 +20,9 @@ pub(crate) struct Mistake {
 impl Mistake {
     /// Where it stands in the file; mistakes without a place come last.
     pub(crate) fn place(&self) -> usize {
-        self.mark.as_ref().map_or(usize::MAX, |(span, _)| span.start)
+        self.mark
+            .as_ref()
+            .map_or(usize::MAX, |(span, _)| span.start)
     }
 
     /// The file is no TOML.
@@ -50,12 +52,19 @@ impl Mistake {
 
     /// A key that its section does not have.
     pub(crate) fn unknown_key(section: &str, key: &str, span: Range<usize>) -> Self {
-        let here = dotted_names().filter(|(_, (other, _))| *other == section).map(|(_, (_, key))| key);
-        let elsewhere = dotted_names().find(|(_, (_, other))| *other == key).map(|(_, (section, _))| section);
+        let here = dotted_names()
+            .filter(|(_, (other, _))| *other == section)
+            .map(|(_, (_, key))| key);
+        let elsewhere = dotted_names()
+            .find(|(_, (_, other))| *other == key)
+            .map(|(_, (section, _))| section);
         let help = match (elsewhere, nearest(key, here.clone())) {
             (Some(elsewhere), _) => format!("`{key}` belongs under `[{elsewhere}]`"),
             (None, Some(near)) => format!("did you mean `{near}`?"),
-            (None, None) => format!("the keys of [{section}] are {}", here.collect::<Vec<_>>().join(", ")),
+            (None, None) => format!(
+                "the keys of [{section}] are {}",
+                here.collect::<Vec<_>>().join(", ")
+            ),
         };
         Self {
             title: format!("unknown key `{key}` in [{section}]"),
@@ -80,7 +89,11 @@ impl Mistake {
     }
 
     /// A number outside the values that its input allows.
-    pub(crate) fn not_allowed(input: &'static NumericInput, value: f64, span: Range<usize>) -> Self {
+    pub(crate) fn not_allowed(
+        input: &'static NumericInput,
+        value: f64,
+        span: Range<usize>,
+    ) -> Self {
         let invalid = InvalidRotor::OutOfRange { input, value };
         Self {
             title: invalid.to_string(),
@@ -101,7 +114,10 @@ impl Mistake {
 
     /// Inputs that the file does not give.
     pub(crate) fn missing(inputs: &[&NumericInput]) -> Self {
-        let names: Vec<_> = inputs.iter().map(|input| format!("{}.{}", input.section, input.key)).collect();
+        let names: Vec<_> = inputs
+            .iter()
+            .map(|input| format!("{}.{}", input.section, input.key))
+            .collect();
         let verb = if names.len() == 1 { "is" } else { "are" };
         Self {
             title: format!("{} {verb} missing", names.join(", ")),
@@ -122,8 +138,14 @@ impl Mistake {
 
 /// Every input with its section and key.
 fn dotted_names() -> impl Iterator<Item = (&'static str, (&'static str, &'static str))> + Clone {
-    let numbers = INPUTS.iter().map(|input| (input.name, (input.section, input.key)));
-    numbers.chain(CHOICES.iter().map(|&(name, section, key)| (name, (section, key))))
+    let numbers = INPUTS
+        .iter()
+        .map(|input| (input.name, (input.section, input.key)));
+    numbers.chain(
+        CHOICES
+            .iter()
+            .map(|&(name, section, key)| (name, (section, key))),
+    )
 }
 
 /// The name nearest to a misspelt one, if one is near: at most a third of its letters differ.
@@ -138,10 +160,21 @@ pub(crate) fn nearest<'a>(misspelt: &str, names: impl Iterator<Item = &'a str>) 
 
 /// Draws mistakes as text, in colour where stderr is a terminal that wants it.
 pub(crate) fn draw(source: &str, name: &str, mistakes: &[Mistake]) -> String {
-    let coloured = std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
-    let renderer = if coloured { Renderer::styled() } else { Renderer::plain() };
-    let groups: Vec<_> = mistakes.iter().map(|mistake| group(source, name, mistake)).collect();
-    let drawn: Vec<_> = groups.iter().map(|group| renderer.render(std::slice::from_ref(group))).collect();
+    let coloured = std::io::stderr().is_terminal()
+        && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
+    let renderer = if coloured {
+        Renderer::styled()
+    } else {
+        Renderer::plain()
+    };
+    let groups: Vec<_> = mistakes
+        .iter()
+        .map(|mistake| group(source, name, mistake))
+        .collect();
+    let drawn: Vec<_> = groups
+        .iter()
+        .map(|group| renderer.render(std::slice::from_ref(group)))
+        .collect();
     drawn.join("\n\n")
 }
 
@@ -149,9 +182,11 @@ fn group<'a>(source: &'a str, name: &'a str, mistake: &'a Mistake) -> Group<'a> 
     let title = Level::ERROR.primary_title(mistake.title.as_str());
     let mut group = match &mistake.mark {
         Some((span, label)) => title.element(
-            Snippet::source(source)
-                .path(name)
-                .annotation(AnnotationKind::Primary.span(span.clone()).label(label.as_str())),
+            Snippet::source(source).path(name).annotation(
+                AnnotationKind::Primary
+                    .span(span.clone())
+                    .label(label.as_str()),
+            ),
         ),
         None => title.element(Level::NOTE.message(format!("in {name}"))),
     };

@@ -18,7 +18,11 @@ pub(crate) fn template() -> String {
         let _ = write!(text, "\n[{section}]\n");
         for input in INPUTS.iter().filter(|input| input.section == section) {
             let setting = format!("{} = {}", input.key, number((input.get)(&paper)));
-            let unit = if input.unit.is_empty() { "no unit" } else { input.unit };
+            let unit = if input.unit.is_empty() {
+                "no unit"
+            } else {
+                input.unit
+            };
             let _ = writeln!(
                 text,
                 "{setting:<26} # {}, {unit}: {}; {}",
@@ -30,13 +34,23 @@ pub(crate) fn template() -> String {
     let edges = CrackEdge::ALL.map(CrackEdge::name).join(", ");
     let model = format!("model = \"{}\"", paper.crack_model);
     let edge = format!("edge = \"{}\"", paper.crack_edge);
-    let _ = writeln!(text, "{model:<26} # how the crack enters the flexibility; {models}");
-    let _ = writeln!(text, "{edge:<26} # how much of the crack's edge a moment opens; {edges}");
+    let _ = writeln!(
+        text,
+        "{model:<26} # how the crack enters the flexibility; {models}"
+    );
+    let _ = writeln!(
+        text,
+        "{edge:<26} # how much of the crack's edge a moment opens; {edges}"
+    );
     text
 }
 
 /// A number as TOML writes a float.
 fn number(value: f64) -> String {
     let text = shortest(value);
-    if text.contains(['.', 'e']) { text } else { format!("{text}.0") }
+    if text.contains(['.', 'e']) {
+        text
+    } else {
+        format!("{text}.0")
+    }
 }

@@ -13,8 +13,11 @@ const POINTS: usize = 121;
 type Coefficient = (&'static str, fn(&Coefficients) -> f64);
 
 const CONSTANT: [Coefficient; 2] = [("|γ|", |c| c.gamma.abs()), ("δ", |c| c.delta)];
-const VARYING: [Coefficient; 3] =
-    [("ε_1", |c| c.epsilon_1), ("ε_{12}", |c| c.epsilon_12), ("ε_2", |c| c.epsilon_2)];
+const VARYING: [Coefficient; 3] = [
+    ("ε_1", |c| c.epsilon_1),
+    ("ε_{12}", |c| c.epsilon_12),
+    ("ε_2", |c| c.epsilon_2),
+];
 
 /// The figure.
 pub(super) fn figure(rotor: &Rotor) -> Figure {
@@ -24,7 +27,10 @@ pub(super) fn figure(rotor: &Rotor) -> Figure {
         .collect();
     let curves = |coefficients: &[Coefficient]| -> Vec<Curve> {
         let points = |get: fn(&Coefficients) -> f64| {
-            cases.iter().map(|(depth, c)| (*depth, c.as_ref().map(get))).collect()
+            cases
+                .iter()
+                .map(|(depth, c)| (*depth, c.as_ref().map(get)))
+                .collect()
         };
         coefficients
             .iter()
@@ -32,8 +38,18 @@ pub(super) fn figure(rotor: &Rotor) -> Figure {
             .map(|(index, (label, get))| line(*label, index, Dash::Solid, points(*get)))
             .collect()
     };
-    let constant = panel("(a)", depth_axis(rotor), axis("|γ|, δ [–]"), curves(&CONSTANT));
-    let varying = panel("(b)", depth_axis(rotor), axis("ε_1, ε_{12}, ε_2 [–]"), curves(&VARYING));
+    let constant = panel(
+        "(a)",
+        depth_axis(rotor),
+        axis("|γ|, δ [–]"),
+        curves(&CONSTANT),
+    );
+    let varying = panel(
+        "(b)",
+        depth_axis(rotor),
+        axis("ε_1, ε_{12}, ε_2 [–]"),
+        curves(&VARYING),
+    );
     Figure {
         name: "figure-5".to_owned(),
         caption: "Figure 5. Stiffness coefficients over the crack's depth: (a) constant, (b) varying over a turn."

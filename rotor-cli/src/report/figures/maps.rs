@@ -21,7 +21,11 @@ pub(super) fn figure(rotor: &Rotor, kind: RegionKind) -> Figure {
     let mut values = Vec::with_capacity(angles.len() * depths.len());
     for &depth in &depths {
         let c = changed(rotor, |p| p.crack_depth_ratio = depth);
-        values.extend(angles.iter().map(|&angle| c.as_ref().and_then(|c| width_at(kind, c, angle))));
+        values.extend(
+            angles
+                .iter()
+                .map(|&angle| c.as_ref().and_then(|c| width_at(kind, c, angle))),
+        );
     }
     let points = zup_depth(rotor, kind).unwrap_or_default();
     let annotations = points
@@ -39,7 +43,9 @@ pub(super) fn figure(rotor: &Rotor, kind: RegionKind) -> Figure {
     let symbol = width_symbol(kind);
     Figure {
         name: name.to_owned(),
-        caption: format!("Width {symbol} of the {region} over the crack's angle and depth, Eq. (31)."),
+        caption: format!(
+            "Width {symbol} of the {region} over the crack's angle and depth, Eq. (31)."
+        ),
         plot: Plot::Map(Box::new(Map {
             x: angle_axis(),
             y: depth_axis(rotor),
@@ -56,14 +62,25 @@ pub(super) fn figure(rotor: &Rotor, kind: RegionKind) -> Figure {
 
 /// Round values between the smallest and the largest width.
 fn levels(values: &[Option<f64>]) -> Vec<f64> {
-    let least = values.iter().flatten().copied().fold(f64::INFINITY, f64::min);
+    let least = values
+        .iter()
+        .flatten()
+        .copied()
+        .fold(f64::INFINITY, f64::min);
     let most = values.iter().flatten().copied().fold(0.0, f64::max);
     let rough = (most - least) / LEVELS;
     if !(rough.is_finite() && rough > 0.0) {
         return Vec::new();
     }
     let power = 10f64.powf(rough.log10().floor());
-    let step = [1.0, 2.0, 5.0, 10.0].into_iter().map(|digit| digit * power).find(|&step| step >= rough).unwrap_or(rough);
+    let step = [1.0, 2.0, 5.0, 10.0]
+        .into_iter()
+        .map(|digit| digit * power)
+        .find(|&step| step >= rough)
+        .unwrap_or(rough);
     let first = (least / step).floor() as i64 + 1;
-    (first..).map(|index| index as f64 * step).take_while(|&level| level < most).collect()
+    (first..)
+        .map(|index| index as f64 * step)
+        .take_while(|&level| level < most)
+        .collect()
 }

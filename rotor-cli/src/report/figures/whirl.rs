@@ -26,26 +26,48 @@ pub(super) fn figure(rotor: &Rotor) -> Figure {
         let combination = region::start(RegionKind::Combination, &c).ok();
         fastest = combination.map_or(FASTEST, |start| FASTEST.max(1.25 * start));
         let speeds = spaced(0.0, fastest, POINTS);
-        let whirls: Vec<_> = speeds.iter().map(|&speed| whirl_frequencies(&c, speed).ok()).collect();
+        let whirls: Vec<_> = speeds
+            .iter()
+            .map(|&speed| whirl_frequencies(&c, speed).ok())
+            .collect();
         for (index, label) in ["ω_1", "ω_2", "ω_3", "ω_4"].into_iter().enumerate() {
             let at = |whirl: &Option<[f64; 4]>| whirl.and_then(|whirl| whirl.get(index).copied());
-            let points = speeds.iter().zip(&whirls).map(|(&speed, whirl)| (speed, at(whirl))).collect();
+            let points = speeds
+                .iter()
+                .zip(&whirls)
+                .map(|(&speed, whirl)| (speed, at(whirl)))
+                .collect();
             curves.push(line(label, index, Dash::Solid, points));
         }
         let synchronous = speeds.iter().map(|&speed| (speed, Some(speed))).collect();
         curves.push(line("ω = *Ω*", 4, Dash::Dashed, synchronous));
-        let partner = |speed: f64, whirl: &Option<[f64; 4]>| whirl.map(|[_, second, ..]| 2.0 * speed - second);
-        let combined = speeds.iter().zip(&whirls).map(|(&speed, whirl)| (speed, partner(speed, whirl))).collect();
+        let partner = |speed: f64, whirl: &Option<[f64; 4]>| {
+            whirl.map(|[_, second, ..]| 2.0 * speed - second)
+        };
+        let combined = speeds
+            .iter()
+            .zip(&whirls)
+            .map(|(&speed, whirl)| (speed, partner(speed, whirl)))
+            .collect();
         curves.push(line("ω = 2*Ω* − ω_2", 5, Dash::Dotted, combined));
         if let Ok(start) = region::start(RegionKind::Simple, &c) {
-            annotations.push(Annotation { label: format!("Ω_s = {start:.4}"), at: (start, start) });
+            annotations.push(Annotation {
+                label: format!("Ω_s = {start:.4}"),
+                at: (start, start),
+            });
         }
         if let Some(start) = combination {
             let at = (start, equations::cir_omega(&c));
-            annotations.push(Annotation { label: format!("Ω_c = {start:.4}"), at });
+            annotations.push(Annotation {
+                label: format!("Ω_c = {start:.4}"),
+                at,
+            });
         }
     }
-    let x = Axis { range: Some((0.0, fastest)), ..axis("*Ω* / ω_{st} [–]") };
+    let x = Axis {
+        range: Some((0.0, fastest)),
+        ..axis("*Ω* / ω_{st} [–]")
+    };
     let mut panel = panel("", x, axis("ω / ω_{st} [–]"), curves);
     panel.annotations = annotations;
     Figure {

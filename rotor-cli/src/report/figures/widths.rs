@@ -7,7 +7,10 @@ use rotor_core::equations::Coefficients;
 use rotor_core::region::{self, RegionKind};
 use rotor_core::rotor::Rotor;
 
-use super::{DEPTHS, PANELS, POSITIONS, angle_axis, axis, changed, line, panel, spaced, width_at, width_symbol};
+use super::{
+    DEPTHS, PANELS, POSITIONS, angle_axis, axis, changed, line, panel, spaced, width_at,
+    width_symbol,
+};
 use crate::figure::{Axis, Curve, Dash, Figure, Mark, Panel, Plot, Symbol};
 use crate::report::hill;
 
@@ -34,7 +37,12 @@ pub(super) fn verified(rotor: &Rotor) -> Figure {
 pub(super) fn over_depths(rotor: &Rotor) -> Figure {
     let variants: Vec<_> = DEPTHS
         .iter()
-        .map(|&depth| (format!("σ = {depth}"), changed(rotor, |p| p.crack_depth_ratio = depth)))
+        .map(|&depth| {
+            (
+                format!("σ = {depth}"),
+                changed(rotor, |p| p.crack_depth_ratio = depth),
+            )
+        })
         .collect();
     figure(
         "figure-6",
@@ -48,7 +56,12 @@ pub(super) fn over_positions(rotor: &Rotor) -> Figure {
     let variants: Vec<_> = POSITIONS
         .iter()
         .rev()
-        .map(|&position| (format!("l_c = {position} *L*"), changed(rotor, |p| p.crack_position_ratio = position)))
+        .map(|&position| {
+            (
+                format!("l_c = {position} *L*"),
+                changed(rotor, |p| p.crack_position_ratio = position),
+            )
+        })
         .collect();
     figure(
         "figure-7",
@@ -58,12 +71,20 @@ pub(super) fn over_positions(rotor: &Rotor) -> Figure {
 }
 
 fn figure(name: &str, caption: &str, panels: [Panel; 2]) -> Figure {
-    Figure { name: name.to_owned(), caption: caption.to_owned(), plot: Plot::Panels(panels.into()) }
+    Figure {
+        name: name.to_owned(),
+        caption: caption.to_owned(),
+        plot: Plot::Panels(panels.into()),
+    }
 }
 
 fn width_panel(kind: RegionKind, title: &str, curves: Vec<Curve>) -> Panel {
     let y = axis(format!("{} / ω_{{st}} [–]", width_symbol(kind)));
-    let most = curves.iter().flat_map(|curve| &curve.points).filter_map(|(_, y)| *y).fold(0.0, f64::max);
+    let most = curves
+        .iter()
+        .flat_map(|curve| &curve.points)
+        .filter_map(|(_, y)| *y)
+        .fold(0.0, f64::max);
     // From zero, so that a region that closes is seen to close.
     let range = (most > 0.0).then_some((0.0, 1.05 * most));
     panel(title, angle_axis(), Axis { range, ..y }, curves)
@@ -71,19 +92,48 @@ fn width_panel(kind: RegionKind, title: &str, curves: Vec<Curve>) -> Panel {
 
 fn three_ways(kind: RegionKind, c: &Coefficients) -> Vec<Curve> {
     let angles = spaced(0.0, PI, ANGLES);
-    let at = |angle: f64| Coefficients { crack_angle: angle, ..*c };
-    let exact = |angle: f64| region::exact_ends(kind, &at(angle)).ok().map(|ends| ends.width());
+    let at = |angle: f64| Coefficients {
+        crack_angle: angle,
+        ..*c
+    };
+    let exact = |angle: f64| {
+        region::exact_ends(kind, &at(angle))
+            .ok()
+            .map(|ends| ends.width())
+    };
     let hill = |angle: f64| {
         let c = at(angle);
         let start = region::start(kind, &c).ok()?;
         let width = region::width(kind, &c).ok()?;
         hill::ends(&c, start, width).ok().map(|ends| ends.width())
     };
-    let floquet: Vec<_> = angles.par_iter().step_by(12).map(|&angle| (angle, hill(angle))).collect();
+    let floquet: Vec<_> = angles
+        .par_iter()
+        .step_by(12)
+        .map(|&angle| (angle, hill(angle)))
+        .collect();
     vec![
-        line("Eq. (31)", 0, Dash::Solid, angles.iter().map(|&angle| (angle, width_at(kind, c, angle))).collect()),
-        line("exact", 1, Dash::Dashed, angles.iter().map(|&angle| (angle, exact(angle))).collect()),
-        Curve { label: "Floquet".to_owned(), colour: 2, mark: Mark::Points(Symbol::Circle), points: floquet },
+        line(
+            "Eq. (31)",
+            0,
+            Dash::Solid,
+            angles
+                .iter()
+                .map(|&angle| (angle, width_at(kind, c, angle)))
+                .collect(),
+        ),
+        line(
+            "exact",
+            1,
+            Dash::Dashed,
+            angles.iter().map(|&angle| (angle, exact(angle))).collect(),
+        ),
+        Curve {
+            label: "Floquet".to_owned(),
+            colour: 2,
+            mark: Mark::Points(Symbol::Circle),
+            points: floquet,
+        },
     ]
 }
 
@@ -91,7 +141,12 @@ fn variant_curves(kind: RegionKind, variants: &[(String, Option<Coefficients>)])
     let angles = spaced(0.0, PI, ANGLES);
     let curve = |(index, (label, c)): (usize, &(String, Option<Coefficients>))| {
         let width = |angle| c.as_ref().and_then(|c| width_at(kind, c, angle));
-        line(label, index, Dash::Solid, angles.iter().map(|&angle| (angle, width(angle))).collect())
+        line(
+            label,
+            index,
+            Dash::Solid,
+            angles.iter().map(|&angle| (angle, width(angle))).collect(),
+        )
     };
     variants.iter().enumerate().map(curve).collect()
 }

@@ -26,16 +26,35 @@ pub(super) fn figure(rotor: &Rotor, kind: RegionKind) -> Figure {
                 p.crack_depth_ratio = depth;
             })?;
             // Beyond ±1 no disk has it.
-            region::zup_asymmetry(kind, &c).ok().filter(|asymmetry| asymmetry.abs() < 1.0)
+            region::zup_asymmetry(kind, &c)
+                .ok()
+                .filter(|asymmetry| asymmetry.abs() < 1.0)
         };
         let depths = spaced(0.0, deepest(rotor), POINTS);
-        let points = depths.into_iter().map(|depth| (depth, closing(depth))).collect();
-        curves.push(line(format!("l_c = {position} *L*"), index, Dash::Solid, points));
-        let found = rotor.with(|p| p.crack_position_ratio = position).ok().and_then(|rotor| zup_depth(&rotor, kind).ok());
-        let shown = found.into_iter().flatten().filter(|point| point.value <= deepest(rotor));
+        let points = depths
+            .into_iter()
+            .map(|depth| (depth, closing(depth)))
+            .collect();
+        curves.push(line(
+            format!("l_c = {position} *L*"),
+            index,
+            Dash::Solid,
+            points,
+        ));
+        let found = rotor
+            .with(|p| p.crack_position_ratio = position)
+            .ok()
+            .and_then(|rotor| zup_depth(&rotor, kind).ok());
+        let shown = found
+            .into_iter()
+            .flatten()
+            .filter(|point| point.value <= deepest(rotor));
         annotations.extend(shown.filter_map(|point| {
             let label = format!("σ_{{ZUP}} = {:.4}", point.value);
-            Some(Annotation { label, at: (point.value, closing(point.value)?) })
+            Some(Annotation {
+                label,
+                at: (point.value, closing(point.value)?),
+            })
         }));
     }
     let mut panel = panel("", depth_axis(rotor), axis("Δ_d [–]"), curves);
