@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use num_traits::ToPrimitive;
 
+use crate::approximate::piecewise::PiecewisePolynomial;
 use crate::approximate::quadrature::integrate;
 use crate::graph::{ExprId, Function, Graph, NamedConstant, Node, Rational, SymbolId, Table};
 
@@ -135,33 +136,37 @@ pub fn evaluate<T: Number>(graph: &Graph, roots: &[ExprId], symbols: &[T]) -> Op
 #[error("{0}")]
 pub struct EvaluateError(String);
 
+/// One node made ready for being evaluated many times in `f64`.
+enum Step {
+    Value(f64),
+    Symbol(usize),
+    Sum(Vec<(usize, f64)>),
+    Product(Vec<(usize, i32)>),
+    Apply(Function, Vec<usize>),
+    Tabulated(PiecewisePolynomial, usize),
+    Integral { variable: usize, integrand: usize, lower: usize, upper: usize, inner: Vec<usize> },
+}
+
 /// Evaluates functions of one variable that hold integrals, for the numerics of the build.
 pub struct Integrator<'g> {
     graph: &'g Graph,
     tolerance: f64,
     symbols: Vec<f64>,
     values: Vec<f64>,
-    /// For each integral, the nodes of its integrand that change with its variable, in order.
-    inner: Vec<Vec<ExprId>>,
+    steps: Vec<Step>,
 }
 
 impl<'g> Integrator<'g> {
     /// An evaluator of everything in the graph; `tolerance` is relative and for each integral.
     pub fn new(graph: &'g Graph, tolerance: f64) -> Self {
-        let mut integrator = Self {
+        let steps = (0..graph.len()).filter_map(|position| graph.expression(position)).map(|id| step(graph, id)).collect();
+        Self {
             graph,
             tolerance,
             symbols: vec![f64::NAN; graph.symbols().count()],
             values: vec![f64::NAN; graph.len()],
-            inner: vec![Vec::new(); graph.len()],
-        };
-        for position in 0..graph.len() {
-            let Some(id) = graph.expression(position) else { continue };
-            if let Node::Integral { variable, integrand, .. } = graph.node(id) {
-                integrator.inner[position] = changing(graph, *integrand, *variable);
-            }
+            steps,
         }
-        integrator
     }
 
     /// The root's value where the symbol has the given value.
@@ -170,40 +175,94 @@ impl<'g> Integrator<'g> {
     /// The text of what the quadrature could not do.
     pub fn evaluate(&mut self, root: ExprId, symbol: SymbolId, value: f64) -> Result<f64, EvaluateError> {
         self.symbols[symbol.index()] = value;
-        let bound = self.bound_nodes();
-        let order: Vec<ExprId> = self.graph.reachable(&[root]).into_iter().filter(|id| !bound.contains(id)).collect();
+        let inside: BTreeSet<usize> = self
+            .steps
+            .iter()
+            .flat_map(|step| match step {
+                Step::Integral { inner, .. } => inner.as_slice(),
+                _ => &[],
+            })
+            .copied()
+            .collect();
+        let reachable = self.graph.reachable(&[root]).into_iter().map(ExprId::index);
+        let order: Vec<usize> = reachable.filter(|position| !inside.contains(position)).collect();
         self.run(&order)?;
         Ok(self.values[root.index()])
     }
 
-    /// Nodes that have a value only inside an integral.
-    fn bound_nodes(&self) -> BTreeSet<ExprId> {
-        self.inner.iter().flatten().copied().collect()
-    }
-
-    fn run(&mut self, order: &[ExprId]) -> Result<(), EvaluateError> {
-        for id in order {
-            self.values[id.index()] = self.value_of(*id)?;
+    fn run(&mut self, order: &[usize]) -> Result<(), EvaluateError> {
+        for &position in order {
+            let value = match &mut self.steps[position] {
+                Step::Integral { inner, .. } => {
+                    let inner = std::mem::take(inner);
+                    let result = self.integral(position, &inner);
+                    if let Step::Integral { inner: place, .. } = &mut self.steps[position] {
+                        *place = inner;
+                    }
+                    result?
+                }
+                step => elementary(step, &self.values, &self.symbols),
+            };
+            self.values[position] = value;
         }
         Ok(())
     }
 
-    fn value_of(&mut self, id: ExprId) -> Result<f64, EvaluateError> {
-        let Node::Integral { variable, integrand, lower, upper } = self.graph.node(id) else {
-            let value = |operand: ExprId| self.values[operand.index()];
-            return node_value(self.graph, id, &self.symbols, &value).ok_or_else(|| EvaluateError("a symbol has no value".to_owned()));
+    fn integral(&mut self, position: usize, inner: &[usize]) -> Result<f64, EvaluateError> {
+        let Step::Integral { variable, integrand, lower, upper, .. } = self.steps[position] else {
+            return Ok(self.values[position]);
         };
-        let (lower, upper) = (self.values[lower.index()], self.values[upper.index()]);
-        let order = std::mem::take(&mut self.inner[id.index()]);
-        let tolerance = self.tolerance;
+        let (lower, upper, tolerance) = (self.values[lower], self.values[upper], self.tolerance);
         let mut sample = |x: f64| -> Result<f64, EvaluateError> {
-            self.symbols[variable.index()] = x;
-            self.run(&order)?;
-            Ok(self.values[integrand.index()])
+            self.symbols[variable] = x;
+            self.run(inner)?;
+            Ok(self.values[integrand])
         };
-        let result = integrate(&mut sample, lower, upper, tolerance).map_err(|error| EvaluateError(describe(&error)));
-        self.inner[id.index()] = order;
-        result
+        integrate(&mut sample, lower, upper, tolerance).map_err(|error| EvaluateError(describe(&error)))
+    }
+}
+
+fn step(graph: &Graph, id: ExprId) -> Step {
+    match graph.node(id) {
+        Node::Number(value) => Step::Value(f64::rational(value)),
+        Node::Constant(constant) => Step::Value(constant_value(*constant)),
+        Node::Symbol(symbol) => Step::Symbol(symbol.index()),
+        Node::Sum(terms) => Step::Sum(terms.iter().map(|(operand, q)| (operand.index(), f64::rational(q))).collect()),
+        Node::Product(factors) => Step::Product(factors.iter().map(|(operand, n)| (operand.index(), *n)).collect()),
+        Node::Apply(function, operands) => Step::Apply(*function, operands.iter().map(|operand| operand.index()).collect()),
+        Node::Tabulated { table, order, argument } => match graph.tables.get(*table) {
+            Some(table) => Step::Tabulated(table.derivative(*order), argument.index()),
+            None => Step::Value(f64::NAN),
+        },
+        Node::Integral { variable, integrand, lower, upper } => Step::Integral {
+            variable: variable.index(),
+            integrand: integrand.index(),
+            lower: lower.index(),
+            upper: upper.index(),
+            inner: changing(graph, *integrand, *variable).into_iter().map(ExprId::index).collect(),
+        },
+    }
+}
+
+/// The value of a step that is no integral.
+fn elementary(step: &Step, values: &[f64], symbols: &[f64]) -> f64 {
+    match step {
+        Step::Value(value) => *value,
+        Step::Symbol(symbol) => symbols[*symbol],
+        Step::Sum(terms) => terms.iter().map(|(operand, coefficient)| coefficient * values[*operand]).sum(),
+        Step::Product(factors) => {
+            let power = |positive: bool| -> f64 {
+                let side = factors.iter().filter(|(_, exponent)| (*exponent > 0) == positive);
+                side.map(|(operand, exponent)| values[*operand].powi(exponent.abs())).product()
+            };
+            power(true) / power(false)
+        }
+        Step::Apply(function, operands) => match operands.as_slice() {
+            [x] => f64::apply(*function, &[values[*x]]),
+            operands => f64::apply(*function, &operands.iter().map(|operand| values[*operand]).collect::<Vec<_>>()),
+        },
+        Step::Tabulated(polynomial, argument) => polynomial.evaluate(values[*argument]),
+        Step::Integral { .. } => f64::NAN,
     }
 }
 

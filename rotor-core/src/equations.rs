@@ -527,20 +527,41 @@ mod formulas {
 
     // ---- Widths, growth and zero unstable points, Eqs. (29) to (32) -------------------------------
 
-    /// $-\Gamma/(H\bar H)$ at the start of a simple region, where $\omega = \varpi = \Omega$ and $HG = \gamma^2$, so that the
-    /// division by $H^2$ can be left out; it would be 0/0 where the disk's tilt is uncoupled.
+    /// $\Theta_1/\bar H$ at the start of a region, where $f_n = \bar f_n = 0$ and so $\gamma^2/\bar H = \bar G$: Eq. (25c) without
+    /// the division, which would be 0/0 where displacement and tilt are uncoupled. `g` belongs to the partner frequency.
+    pub fn crack_excitation(h: f64, g: f64, c: &Coefficients) -> f64 {
+        c.epsilon_1 * g - c.epsilon_12 * (c.gamma.powi(2) + h * g) + c.epsilon_2 * c.delta * h
+    }
+
+    /// $H$ at a whirl frequency, from both its definition and $HG = \gamma^2$: $(\gamma^2 + H^2)/(G + H)$. Where the
+    /// frequency is near 1, $1-\omega^2$ has few digits left, and $\gamma^2/G$ has them all; elsewhere it is the other way round.
+    pub fn coupled_transverse(h: f64, g: f64, c: &Coefficients) -> f64 {
+        (c.gamma.powi(2) + h.powi(2)) / (g + h)
+    }
+
+    /// $-\Gamma/(H\bar H)$ at the start of a simple region, where $\omega = \varpi = \Omega$.
     pub fn sir_strength(speed: f64, c: &Coefficients) -> f64 {
-        let h = transverse(speed);
         let g = tilting(speed, speed, c);
-        let crack =
-            c.epsilon_1 * g - 2.0 * c.epsilon_12 * c.gamma.powi(2) + c.epsilon_2 * c.delta * h;
+        let h = coupled_transverse(transverse(speed), g, c);
         let disk = c.disk_asymmetry * speed.powi(2) * h;
-        -resultant_squared(crack, disk, c.crack_angle)
+        -resultant_squared(crack_excitation(h, g, c), disk, c.crack_angle)
     }
 
     /// $-\Gamma/(H\bar H)$ at the start of the combination region.
+    ///
+    /// With $\Theta = \bar H\,\theta$ and $\bar H\bar G = \gamma^2$ it is $-\gamma^2|\theta|^2/(H\bar G)$, and with the roles of the two
+    /// frequencies exchanged $-\gamma^2|\bar\theta|^2/(\bar H G)$. Each form loses its digits where the other keeps them; numerators and
+    /// denominators have one sign each, so that their sums give the same quotient with all digits.
     pub fn cir_strength(omega: f64, speed: f64, c: &Coefficients) -> f64 {
-        -gamma_excitation(omega, speed, c) / (transverse(omega) * transverse(2.0 * speed - omega))
+        let omega_bar = 2.0 * speed - omega;
+        let h = transverse(omega);
+        let h_bar = transverse(omega_bar);
+        let g = tilting(omega, speed, c);
+        let g_bar = tilting(omega_bar, speed, c);
+        let inertia = c.disk_asymmetry * omega * omega_bar;
+        let excitation = resultant_squared(crack_excitation(h, g_bar, c), inertia * h, c.crack_angle);
+        let excitation_bar = resultant_squared(crack_excitation(h_bar, g, c), inertia * h_bar, c.crack_angle);
+        -c.gamma.powi(2) * (excitation + excitation_bar) / (h * g_bar + h_bar * g)
     }
 
     /// Growth rate over the root of the strength at the start of a region: the first term of Eq. (29),
@@ -610,23 +631,44 @@ mod formulas {
         growth(omega, speed, cir_strength(omega, speed, c), detuning, c)
     }
 
+    /// Growth rate in the second simple region at the detuning $\vartheta$, Eq. (29).
+    #[generate(value)]
+    pub fn upper_sir_growth(detuning: f64, c: &Coefficients) -> f64 {
+        let speed = upper_sir_start(c);
+        growth(speed, speed, sir_strength(speed, c), detuning, c)
+    }
+
+    /// The disk asymmetry that closes a simple region of this start at $\phi = \pi/2$, Eq. (32).
+    pub fn closing_asymmetry(speed: f64, c: &Coefficients) -> f64 {
+        let g = tilting(speed, speed, c);
+        let h = coupled_transverse(transverse(speed), g, c);
+        crack_excitation(h, g, c) / (speed.powi(2) * h)
+    }
+
     /// The disk asymmetry that closes the simple region at $\phi = \pi/2$, Eq. (32).
     #[generate(value)]
     pub fn sir_zup_asymmetry(c: &Coefficients) -> f64 {
-        let speed = sir_start(c);
-        let h = transverse(speed);
-        let g = tilting(speed, speed, c);
-        (c.epsilon_1 * g - 2.0 * c.epsilon_12 * c.gamma.powi(2) + c.epsilon_2 * c.delta * h)
-            / (speed.powi(2) * h)
+        closing_asymmetry(sir_start(c), c)
     }
 
-    /// The disk asymmetry that closes the combination region at $\phi = 0$, Eq. (32).
+    /// The disk asymmetry that closes the second simple region at $\phi = \pi/2$, Eq. (32).
+    #[generate(value)]
+    pub fn upper_sir_zup_asymmetry(c: &Coefficients) -> f64 {
+        closing_asymmetry(upper_sir_start(c), c)
+    }
+
+    /// The disk asymmetry that closes the combination region at $\phi = 0$, Eq. (32); over both frequencies, as in
+    /// [`cir_strength()`].
     #[generate(value)]
     pub fn cir_zup_asymmetry(c: &Coefficients) -> f64 {
         let speed = cir_start(c);
         let omega = cir_omega(c);
         let omega_bar = 2.0 * speed - omega;
-        -theta_1(omega, speed, c) / (omega * omega_bar * transverse(omega) * transverse(omega_bar))
+        let h = transverse(omega);
+        let h_bar = transverse(omega_bar);
+        let crack = crack_excitation(h, tilting(omega_bar, speed, c), c);
+        let crack_bar = crack_excitation(h_bar, tilting(omega, speed, c), c);
+        (crack_bar - crack) / (omega * omega_bar * (h - h_bar))
     }
 
     // ---- Both widths straight from the physical rotor ----------------------------------------------

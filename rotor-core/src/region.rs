@@ -161,7 +161,7 @@ pub fn width(kind: RegionKind, c: &Coefficients) -> Result<f64, NoRegion> {
 /// # Errors
 /// Where the region does not exist, or the detuning is not finite.
 pub fn growth_rate(kind: RegionKind, c: &Coefficients, detuning: f64) -> Result<f64, NoRegion> {
-    let speed = start(kind, c)?;
+    start(kind, c)?;
     require_finite(kind, "detuning", detuning)?;
     if uncoupled(kind, c) {
         return Ok(0.0);
@@ -169,10 +169,7 @@ pub fn growth_rate(kind: RegionKind, c: &Coefficients, detuning: f64) -> Result<
     require_growth(kind, c)?;
     let growth = match kind {
         RegionKind::Simple => equations::sir_growth(detuning, c),
-        RegionKind::UpperSimple => {
-            let strength = equations::sir_strength(speed, c);
-            equations::growth(speed, speed, strength, detuning, c)
-        }
+        RegionKind::UpperSimple => equations::upper_sir_growth(detuning, c),
         RegionKind::Combination => equations::cir_growth(detuning, c),
     };
     require_finite(kind, "growth rate", growth)
@@ -184,20 +181,13 @@ pub fn growth_rate(kind: RegionKind, c: &Coefficients, detuning: f64) -> Result<
 /// # Errors
 /// Where the region does not exist, or at $\gamma = 0$ for a combination region.
 pub fn zup_asymmetry(kind: RegionKind, c: &Coefficients) -> Result<f64, NoRegion> {
-    let speed = start(kind, c)?;
+    start(kind, c)?;
     if uncoupled(kind, c) {
         return Err(NoRegion::Uncoupled { kind });
     }
     let asymmetry = match kind {
         RegionKind::Simple => equations::sir_zup_asymmetry(c),
-        RegionKind::UpperSimple => {
-            // Theta_2 is proportional to the asymmetry.
-            let unit = Coefficients {
-                disk_asymmetry: 1.0,
-                ..*c
-            };
-            equations::theta_1(speed, speed, c) / equations::theta_2(speed, speed, &unit)
-        }
+        RegionKind::UpperSimple => equations::upper_sir_zup_asymmetry(c),
         RegionKind::Combination => equations::cir_zup_asymmetry(c),
     };
     require_finite(kind, "closing disk asymmetry", asymmetry)

@@ -215,7 +215,7 @@ impl Rotor {
     /// # Errors
     /// Where a compliance is not a finite number ≥ 0.
     pub fn compliance(&self) -> Result<CrackCompliance, NoCoefficients> {
-        let c = equations::crack_compliance(&self.parameters, self.parameters.crack_edge.factor());
+        let c = equations::crack_compliance::value(&self.parameters, self.parameters.crack_edge.factor());
         let named = [
             ("c11", c.c11),
             ("c22", c.c22),
@@ -232,7 +232,7 @@ impl Rotor {
     /// Where an entry is not finite, or the mean stiffness is not positive.
     pub fn stiffness(&self) -> Result<Stiffness, NoCoefficients> {
         let edge_factor = self.parameters.crack_edge.factor();
-        let k = equations::stiffness(&self.parameters, &self.section_loads(), edge_factor);
+        let k = equations::stiffness::value(&self.parameters, &self.section_loads(), edge_factor);
         check(
             &[("k_tt", k.k_tt), ("k_mm", k.k_mm)],
             |value| value > 0.0,

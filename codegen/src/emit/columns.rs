@@ -1,6 +1,6 @@
 //! Forms over slices: one number of each input per row, one of each result.
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::expression::{Body, Writer};
@@ -72,7 +72,7 @@ pub fn function(
     let results: Vec<Ident> = (0..outputs.len()).map(|position| format_ident!("result_{position}")).collect();
     let taken = fields.iter().chain(&results).map(ToString::to_string).chain(["row", "rows"].map(String::from));
     let Body { statements, outputs: values } = Writer::new(graph, circuit, &symbol, taken).body();
-    let (name, count) = (format_ident!("{name}"), outputs.len());
+    let (name, count) = (format_ident!("{name}"), Literal::usize_unsuffixed(outputs.len()));
     let field_names = fields.iter().map(ToString::to_string);
     quote! {
         #(#[doc = #documentation])*

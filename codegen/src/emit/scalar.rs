@@ -1,6 +1,6 @@
 //! Functions of numbers: a value, a value with its gradient, and with its second partials.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::expression::{Body, Writer};
@@ -86,7 +86,8 @@ pub fn function(
     let symbol = |symbol: SymbolId| symbol_tokens(graph, symbol);
     let taken = function.parameters.iter().map(|parameter| parameter.name.to_string());
     let Body { statements, outputs } = Writer::new(graph, circuit, &symbol, taken).body();
-    let count = value.numbers().len();
+    let count = Literal::usize_unsuffixed(value.numbers().len());
+    let by_literal = Literal::usize_unsuffixed(by);
     let mut outputs = outputs.into_iter();
     let values = shaped(value, &mut outputs);
     let value_type = match &function.item.sig.output {
@@ -96,13 +97,13 @@ pub fn function(
     let single = matches!(value, Value::Number(_));
     let (mut types, mut results) = (vec![value_type], vec![values]);
     if form >= Form::Gradient {
-        let rows: Vec<TokenStream> = (0..count).map(|_| array(outputs.by_ref().take(by))).collect();
-        types.push(if single { quote!([f64; #by]) } else { quote!([[f64; #by]; #count]) });
+        let rows: Vec<TokenStream> = (0..value.numbers().len()).map(|_| array(outputs.by_ref().take(by))).collect();
+        types.push(if single { quote!([f64; #by_literal]) } else { quote!([[f64; #by_literal]; #count]) });
         results.push(if single { quote!(#(#rows)*) } else { array(rows) });
     }
     if form == Form::Hessian {
-        let matrices: Vec<TokenStream> = (0..count).map(|_| symmetric(&mut outputs, by)).collect();
-        types.push(if single { quote!([[f64; #by]; #by]) } else { quote!([[[f64; #by]; #by]; #count]) });
+        let matrices: Vec<TokenStream> = (0..value.numbers().len()).map(|_| symmetric(&mut outputs, by)).collect();
+        types.push(if single { quote!([[f64; #by_literal]; #by_literal]) } else { quote!([[[f64; #by_literal]; #by_literal]; #count]) });
         results.push(if single { quote!(#(#matrices)*) } else { array(matrices) });
     }
     let (result_type, result) = match (types.as_slice(), results.as_slice()) {

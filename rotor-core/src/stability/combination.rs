@@ -103,8 +103,8 @@ fn newton(start: Point, correction: impl Fn(Point) -> Point) -> Option<Point> {
         if length <= 2.0 * f64::EPSILON {
             return Some(next);
         }
-        // Not a number where the equations are singular, which ends the iteration too.
-        if !(length < 0.9 * last) {
+        // Not a number where the equations are singular.
+        if length.is_nan() || length >= 0.9 * last {
             return (last < ROUNDING).then_some(point);
         }
         (point, last) = (next, length);

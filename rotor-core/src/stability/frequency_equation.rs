@@ -15,6 +15,8 @@
 
 use std::ops::{Add, Mul, Sub};
 
+use nalgebra::Complex;
+
 use crate::equations::Coefficients;
 
 /// What a closed form needs of its numbers, so that it stands once for values and for derivatives.
@@ -29,6 +31,7 @@ pub(super) trait Number:
 }
 
 impl Number for f64 {}
+impl Number for Complex<f64> {}
 
 /// A value with its derivatives by two variables x and y: both first ones, ∂²/∂x² and ∂²/∂x∂y. The variables are ω and
 /// Ω for [`Minors`], S and Ω² for [`phi_from_squares`].
@@ -367,4 +370,145 @@ pub(super) fn quartic_coefficients(c: &Coefficients, speed: f64) -> [f64; 5] {
         phi_from_squares(c, speed_squared, offset_squared);
     // The constant one has the digits that decide where a SIR ends.
     [static_determinant(c, speed), first, second, third, fourth]
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::Matrix4;
+
+    use super::*;
+
+    /// Φ as the determinant of the Hermitian matrix of the module's text.
+    fn phi_as_determinant(c: &Coefficients, omega: f64, speed: f64) -> f64 {
+        let partner = 2.0 * speed - omega;
+        let real = |x| Complex::new(x, 0.0);
+        let turn = Complex::from_polar(1.0, -2.0 * c.crack_angle);
+        let (b11, b12) = (turn * c.epsilon_1, turn * (c.epsilon_12 * c.gamma));
+        let b22 = turn * (c.epsilon_2 * c.delta) + c.disk_asymmetry * omega * partner;
+        let h = |w: f64| real(1.0 - w * w);
+        let g = |w: f64| real(c.delta - w * w + c.beta * speed * w);
+        let gamma = real(c.gamma);
+        #[rustfmt::skip]
+        let matrix = Matrix4::new(
+            h(omega), gamma, b11, b12,
+            gamma, g(omega), b12, b22,
+            b11.conj(), b12.conj(), h(partner), gamma,
+            b12.conj(), b22.conj(), gamma, g(partner),
+        );
+        matrix.determinant().re
+    }
+
+    /// Rotors at pseudo-random places of the ranges that occur, and a frequency and a speed for each.
+    fn samples() -> impl Iterator<Item = (Coefficients, f64, f64)> {
+        let mut state = 1_u64;
+        let mut between = move |low: f64, high: f64| {
+            // Knuth's linear congruential generator.
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            low + (high - low) * (state >> 11) as f64 / (1_u64 << 53) as f64
+        };
+        (0..500).map(move |_| {
+            let c = Coefficients {
+                beta: between(0.3, 2.0),
+                gamma: between(-2.0, 2.0),
+                delta: between(0.5, 6.0),
+                epsilon_1: between(-0.4, 0.4),
+                epsilon_12: between(-0.4, 0.4),
+                epsilon_2: between(-0.4, 0.4),
+                disk_asymmetry: between(-0.5, 0.5),
+                crack_angle: between(-4.0, 4.0),
+            };
+            (c, between(0.1, 5.0), between(0.1, 3.0))
+        })
+    }
+
+    #[test]
+    fn all_forms_are_the_determinant() {
+        let mut with_minors = 0;
+        for (c, omega, speed) in samples() {
+            let expected = phi_as_determinant(&c, omega, speed);
+            // Rounding of the determinant's largest product.
+            let tolerance = 1e-12 * (1.0 + omega + speed).powi(8);
+            let offset_squared = (omega - speed).powi(2);
+            let by_squares = phi_from_squares(&c, speed * speed, offset_squared);
+            assert!(
+                (by_squares - expected).abs() < tolerance,
+                "{c:?} {omega} {speed}"
+            );
+            let powers = quartic_coefficients(&c, speed);
+            let by_powers = powers
+                .iter()
+                .rev()
+                .fold(0.0, |sum, a| sum * offset_squared + a);
+            assert!(
+                (by_powers - expected).abs() < tolerance,
+                "{c:?} {omega} {speed}"
+            );
+            if let Some(by_minors) = phi_from_minors(&c, omega, speed) {
+                with_minors += 1;
+                assert!(
+                    (by_minors - expected).abs() < tolerance,
+                    "{c:?} {omega} {speed}"
+                );
+            }
+            let at_rest = static_determinant(&c, speed);
+            let expected = phi_as_determinant(&c, speed, speed);
+            assert!((at_rest - expected).abs() < tolerance, "{c:?} {speed}");
+        }
+        assert!(with_minors > 400, "{with_minors}");
+    }
+
+    #[test]
+    fn the_quartic_starts_with_one_less_the_squared_asymmetry() {
+        for (c, _, speed) in samples() {
+            let leading = quartic_coefficients(&c, speed)[4];
+            assert!((leading - (1.0 - c.disk_asymmetry.powi(2))).abs() < 1e-15);
+        }
+    }
+
+    #[test]
+    fn the_minors_obey_jacobis_identity_whichever_rows_are_kept() {
+        use Displacement::{Tilting, Transverse};
+        for (c, omega, speed) in samples() {
+            let expected = phi_as_determinant(&c, omega, speed);
+            for first in [Transverse, Tilting] {
+                for second in [Transverse, Tilting] {
+                    let minors = Minors::at(&c, [first, second], omega, speed);
+                    let product = minors.first * minors.second;
+                    let found = product - minors.coupling_squared;
+                    let size =
+                        product.abs() + minors.coupling_squared + (minors.inner * expected).abs();
+                    let tolerance =
+                        1e-12 * (1.0 + omega + speed).powi(8) * (1.0 + minors.inner.abs())
+                            + 1e-12 * size;
+                    assert!(
+                        (found - minors.inner * expected).abs() < tolerance,
+                        "{c:?} {omega} {speed}"
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn jets_carry_the_derivatives() {
+        let step = 1e-5;
+        for (c, x, y) in samples().take(50) {
+            let phi = |x: f64, y: f64| phi_from_squares(&c, y, x);
+            let [jet_x, jet_y] = Jet::variables(x, y);
+            let jet = phi_from_squares(&c, jet_y, jet_x);
+            let slope = |x: f64, y: f64| (phi(x + step, y) - phi(x - step, y)) / (2.0 * step);
+            let size = 1e-4 * (1.0 + x + y).powi(4) * (1.0 + c.delta).powi(2);
+            assert!((jet.value - phi(x, y)).abs() < 1e-12 * size * 1e4);
+            assert!((jet.x - slope(x, y)).abs() < size);
+            assert!((jet.y - (phi(x, y + step) - phi(x, y - step)) / (2.0 * step)).abs() < size);
+            assert!(
+                (jet.xx - (slope(x + step, y) - slope(x - step, y)) / (2.0 * step)).abs() < size
+            );
+            assert!(
+                (jet.xy - (slope(x, y + step) - slope(x, y - step)) / (2.0 * step)).abs() < size
+            );
+        }
+    }
 }

@@ -73,7 +73,7 @@ pub fn central_exponents(
     let mut exponents = Vec::with_capacity(2 * system.degrees_of_freedom());
     for index in 0..size {
         let vector =
-            &displacements.columns(0, index + 1) * triangular_eigenvector(&triangular, index);
+            displacements.columns(0, index + 1) * triangular_eigenvector(&triangular, index);
         if center(&vector, harmonics).abs() <= CENTRAL {
             exponents.push(triangular[(index, index)]);
         }

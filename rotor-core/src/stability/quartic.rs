@@ -13,7 +13,7 @@
 use nalgebra::{Complex, Matrix4, Schur};
 
 use super::error::{StabilityError, check_coefficients, require};
-use super::frequency_equation::{phi_from_minors, quartic_coefficients};
+use super::frequency_equation::{phi_from_minors, phi_from_squares, quartic_coefficients};
 use crate::equations::Coefficients;
 
 /// Cap on the QR sweeps for the 4 × 4 companion matrix; 10 are common.
@@ -76,8 +76,16 @@ pub fn squared_offsets(c: &Coefficients, speed: f64) -> Result<[Complex<f64>; 4]
     require("speed", speed, speed > 0.0, "a positive number")?;
     let coefficients = quartic_coefficients(c, speed);
     let mut roots = companion_roots(&coefficients)?;
+    // Expanding Φ into powers of S costs digits that its products keep; only the slope is taken from the expansion. At
+    // S = 0 the constant coefficient has its own, better form.
+    let product_form = |offset_squared: Complex<f64>| {
+        phi_from_squares(c, Complex::new(speed * speed, 0.0), offset_squared)
+    };
+    let correction = product_form(Complex::new(0.0, 0.0)) * -1.0 + coefficients[0];
     for root in &mut roots {
-        *root = polish(&coefficients, *root);
+        *root = polish(*root, |x| {
+            (product_form(x) + correction, horner(&coefficients, x).1)
+        });
     }
     settle_close_pairs(c, speed, &coefficients, &mut roots);
     Ok(roots)
@@ -129,16 +137,19 @@ fn horner(coefficients: &[f64; 5], x: Complex<f64>) -> (Complex<f64>, Complex<f6
         })
 }
 
-/// Newton's iteration while its steps get smaller. Real roots stay exactly real.
-fn polish(coefficients: &[f64; 5], start: Complex<f64>) -> Complex<f64> {
+/// Newton's iteration on `(value, slope)` while its steps get smaller. Real roots stay exactly real.
+fn polish(
+    start: Complex<f64>,
+    value_and_slope: impl Fn(Complex<f64>) -> (Complex<f64>, Complex<f64>),
+) -> Complex<f64> {
     let mut root = start;
     let mut last = f64::INFINITY;
     for _ in 0..POLISHING {
-        let (value, slope) = horner(coefficients, root);
+        let (value, slope) = value_and_slope(root);
         let step = value / slope;
         let size = step.norm();
-        // Also ends at a vanishing slope, where the step is not a number.
-        if !(size < 0.5 * last) {
+        // At a vanishing slope the step is not a number.
+        if size.is_nan() || size >= 0.5 * last {
             break;
         }
         root -= step;
@@ -173,19 +184,18 @@ fn close_pair(
 ) -> Option<[Complex<f64>; 2]> {
     let middle = 0.5 * (first.re + second.re);
     let apart = (first - second).norm();
-    if middle <= 0.0 || apart > 1e-2 * middle {
+    if middle <= 0.0 || apart > 0.1 * middle {
         return None;
     }
-    let [_, b1, b2, b3, b4] = shifted(coefficients, middle);
-    // Newton's step of the derivative towards the extremum; the parabola makes one enough, a second is free.
-    let center = middle - b1 / (2.0 * b2 - 3.0 * b3 * b1 / b2);
+    let center = extremum(coefficients, middle)?;
     let mut local = shifted(coefficients, center);
     local[0] = phi_from_minors(c, speed + center.max(0.0).sqrt(), speed)?;
+    let [_, _, b2, b3, b4] = local;
     let reach_squared = -local[0] / b2;
     let reach = reach_squared.abs().sqrt();
     let parabola = (center - middle).abs() <= apart.max(1e-6 * middle)
-        && b3.abs() * reach < 1e-2 * b2.abs()
-        && b4.abs() * reach * reach < 1e-2 * b2.abs();
+        && b3.abs() * reach < 0.1 * b2.abs()
+        && b4.abs() * reach * reach < 0.1 * b2.abs();
     if !parabola {
         return None;
     }
@@ -199,13 +209,28 @@ fn close_pair(
     }
     // b₁ is rounding noise here and would only move the centre.
     local[1] = 0.0;
-    let upper = polish(&local, offset);
+    let local_polynomial = |t| horner(&local, t);
+    let upper = polish(offset, local_polynomial);
     let lower = if offset.im == 0.0 {
-        polish(&local, -offset)
+        polish(-offset, local_polynomial)
     } else {
         upper.conj()
     };
     Some([upper + center, lower + center])
+}
+
+/// The extremum of the polynomial near `start`, by Newton's iteration on its derivative.
+fn extremum(coefficients: &[f64; 5], start: f64) -> Option<f64> {
+    let mut center = start;
+    for _ in 0..POLISHING {
+        let [_, b1, b2, _, _] = shifted(coefficients, center);
+        let step = b1 / (2.0 * b2);
+        center -= step;
+        if step.abs() <= 1e-13 * center.abs() {
+            return Some(center);
+        }
+    }
+    None
 }
 
 /// The coefficients of p(center + t) in powers of t.
