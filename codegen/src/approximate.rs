@@ -14,6 +14,3 @@ mod emit;
 mod piece;
 pub mod piecewise;
 pub mod quadrature;
-
-#[cfg(test)]
-mod crack_compliance;

@@ -112,7 +112,16 @@ impl AddAssign for Cost {
 
 impl fmt::Display for Cost {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { add, mul, div, sqrt, call } = self;
-        write!(f, "{add} add, {mul} mul, {div} div, {sqrt} sqrt, {call} call")
+        let Self {
+            add,
+            mul,
+            div,
+            sqrt,
+            call,
+        } = self;
+        write!(
+            f,
+            "{add} add, {mul} mul, {div} div, {sqrt} sqrt, {call} call"
+        )
     }
 }

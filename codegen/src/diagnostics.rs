@@ -22,12 +22,25 @@ pub struct Diagnostics {
 impl Diagnostics {
     /// Adds a message.
     pub fn error(&mut self, span: Span, message: impl Into<String>) {
-        self.messages.push(Diagnostic { span, message: message.into(), hint: None });
+        self.messages.push(Diagnostic {
+            span,
+            message: message.into(),
+            hint: None,
+        });
     }
 
     /// Adds a message with a hint.
-    pub fn error_with_hint(&mut self, span: Span, message: impl Into<String>, hint: impl Into<String>) {
-        self.messages.push(Diagnostic { span, message: message.into(), hint: Some(hint.into()) });
+    pub fn error_with_hint(
+        &mut self,
+        span: Span,
+        message: impl Into<String>,
+        hint: impl Into<String>,
+    ) {
+        self.messages.push(Diagnostic {
+            span,
+            message: message.into(),
+            hint: Some(hint.into()),
+        });
     }
 
     /// Adds a parser's own message.
@@ -59,7 +72,12 @@ impl Diagnostics {
 
     /// One `compile_error!` per message, at its token.
     pub fn to_tokens(&self) -> TokenStream {
-        self.messages.iter().map(|diagnostic| syn::Error::new(diagnostic.span, diagnostic.text()).to_compile_error()).collect()
+        self.messages
+            .iter()
+            .map(|diagnostic| {
+                syn::Error::new(diagnostic.span, diagnostic.text()).to_compile_error()
+            })
+            .collect()
     }
 }
 
@@ -82,7 +100,6 @@ pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
         .min_by_key(|(distance, _)| *distance)
         .map(|(_, candidate)| candidate)
 }
-
 
 #[cfg(test)]
 mod tests {

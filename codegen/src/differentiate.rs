@@ -19,7 +19,9 @@ pub fn gradient(graph: &mut Graph, function: ExprId, by: &[SymbolId]) -> Vec<Exp
         if !depends[id.index()] {
             continue;
         }
-        let Some(contributions) = adjoints.remove(&id) else { continue };
+        let Some(contributions) = adjoints.remove(&id) else {
+            continue;
+        };
         let adjoint = graph.sum(contributions);
         if let Node::Symbol(symbol) = graph.node(id) {
             of_symbols.insert(*symbol, adjoint);
@@ -27,11 +29,16 @@ pub fn gradient(graph: &mut Graph, function: ExprId, by: &[SymbolId]) -> Vec<Exp
         }
         for (operand, slope, coefficient) in slopes(graph, id, &depends) {
             let share = graph.multiply(adjoint, slope);
-            adjoints.entry(operand).or_default().push((share, coefficient));
+            adjoints
+                .entry(operand)
+                .or_default()
+                .push((share, coefficient));
         }
     }
     let zero = graph.integer(0);
-    by.iter().map(|symbol| of_symbols.get(symbol).copied().unwrap_or(zero)).collect()
+    by.iter()
+        .map(|symbol| of_symbols.get(symbol).copied().unwrap_or(zero))
+        .collect()
 }
 
 /// The second partials, by rows; the matrix is symmetric by construction.
@@ -39,7 +46,10 @@ pub fn hessian(graph: &mut Graph, gradient_of: &[ExprId], by: &[SymbolId]) -> Ve
     let mut rows: Vec<Vec<ExprId>> = Vec::with_capacity(by.len());
     for (position, first) in gradient_of.iter().enumerate() {
         let tail = gradient(graph, *first, by.get(position..).unwrap_or_default());
-        let mut row: Vec<ExprId> = rows.iter().filter_map(|earlier| earlier.get(position).copied()).collect();
+        let mut row: Vec<ExprId> = rows
+            .iter()
+            .filter_map(|earlier| earlier.get(position).copied())
+            .collect();
         row.extend(tail);
         rows.push(row);
     }
@@ -54,10 +64,18 @@ fn slopes(graph: &mut Graph, id: ExprId, depends: &[bool]) -> Vec<(ExprId, ExprI
         Node::Number(_) | Node::Constant(_) | Node::Symbol(_) | Node::Integral { .. } => Vec::new(),
         Node::Sum(terms) => {
             let one = graph.one();
-            terms.into_iter().filter(|(operand, _)| matters(operand)).map(|(operand, q)| (operand, one, q)).collect()
+            terms
+                .into_iter()
+                .filter(|(operand, _)| matters(operand))
+                .map(|(operand, q)| (operand, one, q))
+                .collect()
         }
         Node::Product(factors) => {
-            let wanted: Vec<_> = factors.iter().filter(|(operand, _)| matters(operand)).copied().collect();
+            let wanted: Vec<_> = factors
+                .iter()
+                .filter(|(operand, _)| matters(operand))
+                .copied()
+                .collect();
             wanted
                 .into_iter()
                 .map(|(operand, exponent)| {
@@ -67,9 +85,19 @@ fn slopes(graph: &mut Graph, id: ExprId, depends: &[bool]) -> Vec<(ExprId, ExprI
                 })
                 .collect()
         }
-        Node::Apply(function, operands) => slopes_of_function(graph, id, function, &operands, matters),
-        Node::Tabulated { table, order, argument } => {
-            vec![(argument, graph.tabulated(table, order + 1, argument), whole(1))]
+        Node::Apply(function, operands) => {
+            slopes_of_function(graph, id, function, &operands, matters)
+        }
+        Node::Tabulated {
+            table,
+            order,
+            argument,
+        } => {
+            vec![(
+                argument,
+                graph.tabulated(table, order + 1, argument),
+                whole(1),
+            )]
         }
     }
 }
@@ -123,10 +151,18 @@ fn slopes_of_function(
             };
             let mut slopes = Vec::new();
             if matters(&first) {
-                slopes.push((first, graph.apply(Function::Select, vec![a, b, one, zero]), whole(1)));
+                slopes.push((
+                    first,
+                    graph.apply(Function::Select, vec![a, b, one, zero]),
+                    whole(1),
+                ));
             }
             if matters(&second) {
-                slopes.push((second, graph.apply(Function::Select, vec![a, b, zero, one]), whole(1)));
+                slopes.push((
+                    second,
+                    graph.apply(Function::Select, vec![a, b, zero, one]),
+                    whole(1),
+                ));
             }
             slopes
         }

@@ -1,10 +1,11 @@
 //! Circuits to Rust.
 //!
 //! [`literal`] and [`namer`] alone decide how numbers and temporaries are written; [`expression`] puts an operation into
-//! tokens, [`scalar`] and [`columns`] put a function around them.
+//! tokens, [`scalar`] and [`columns`] put a function around them; `layout` breaks the lines of their text.
 
 pub mod columns;
 pub mod expression;
+mod layout;
 pub mod literal;
 pub mod namer;
 pub mod scalar;
@@ -13,5 +14,7 @@ use proc_macro2::TokenStream;
 
 /// Formats items as rustfmt does. None where the tokens are no Rust items.
 pub fn format(items: TokenStream) -> Option<String> {
-    syn::parse2(items).ok().map(|file| prettyplease::unparse(&file))
+    syn::parse2(items)
+        .ok()
+        .map(|file| layout::as_rustfmt(&prettyplease::unparse(&file)))
 }

@@ -1,5 +1,7 @@
 //! The whole way of a module: parse, check, differentiate, rewrite, factor, emit.
 
+mod fallback;
+
 use std::collections::{BTreeMap, BTreeSet};
 
 use proc_macro2::TokenStream;
@@ -15,20 +17,25 @@ use crate::emit::scalar::{self, Form};
 use crate::factor::circuit::Circuit;
 use crate::factor::{self, Outputs};
 use crate::graph::{ExprId, Graph, Node, SymbolId};
+use crate::latex::Symbols;
 use crate::parse::attributes::{Request, Target};
 use crate::parse::body::{Reader, identifier};
 use crate::parse::module::{Function, Module, ParameterKind};
 use crate::parse::value::Value;
 use crate::rewrite;
 use crate::tables::Tables;
+use fallback::{column_stubs, integral_function, one_deeper, stub, stub_function};
 
 /// Expands a module of formulas: the module as written, with a module of generated forms beside each function that asks
 /// for some. What is wrong comes out as `compile_error!`s at their tokens, all at once, beside everything that is right
 /// and the signatures of what could not be generated.
-pub fn expand(item: TokenStream) -> TokenStream {
+///
+/// `attribute` is what stands in the parentheses of `#[symbolic(…)]`: see [`Symbols`].
+pub fn expand(attribute: TokenStream, item: TokenStream) -> TokenStream {
     match syn::parse2::<ItemMod>(item) {
         Ok(item) => {
-            let mut expansion = Expansion::of(item);
+            let mut expansion = Expansion::unread(attribute, item);
+            expansion.read_all();
             expansion.generate_all();
             expansion.into_tokens()
         }
@@ -45,6 +52,20 @@ pub struct Formula {
     pub value: Value,
     /// Its numbers.
     pub roots: Vec<ExprId>,
+}
+
+impl Formula {
+    /// Whether an integral without a table is in it, so that there is no code for it.
+    pub fn has_integral(&self) -> bool {
+        holds_integral(&self.graph, &self.roots)
+    }
+}
+
+fn holds_integral(graph: &Graph, roots: &[ExprId]) -> bool {
+    graph
+        .reachable(roots)
+        .into_iter()
+        .any(|id| matches!(graph.node(id), Node::Integral { .. }))
 }
 
 /// One generated function.
@@ -66,11 +87,12 @@ pub struct Generated {
 #[derive(Debug)]
 pub struct Expansion {
     module: Module,
+    symbols: Symbols,
     tables: Tables,
     /// What was wrong.
     pub diagnostics: Diagnostics,
-    /// The functions that could be read.
-    formulas: BTreeMap<String, Formula>,
+    /// The functions that were read; None for those that could not be.
+    formulas: BTreeMap<String, Option<Formula>>,
     /// `f::d_x` as called by formulas.
     partials: BTreeSet<(String, String)>,
     /// Per function the items of its module of generated forms.
@@ -83,10 +105,19 @@ pub struct Expansion {
 impl Expansion {
     /// Reads a module and checks all its functions.
     pub fn of(item: ItemMod) -> Self {
+        let mut expansion = Self::unread(TokenStream::new(), item);
+        expansion.read_all();
+        expansion
+    }
+
+    /// Reads a module's attribute and signatures, but no function's body yet.
+    pub fn unread(attribute: TokenStream, item: ItemMod) -> Self {
         let mut diagnostics = Diagnostics::default();
+        let symbols = Symbols::read(attribute, &mut diagnostics);
         let module = Module::read(item, &mut diagnostics);
-        let mut expansion = Self {
+        Self {
             module,
+            symbols,
             tables: Tables::default(),
             diagnostics,
             formulas: BTreeMap::new(),
@@ -95,9 +126,14 @@ impl Expansion {
             uses_columns: false,
             uses_integral: false,
             used_tables: BTreeMap::new(),
-        };
-        expansion.read_all();
-        expansion
+        }
+    }
+
+    /// Has tables that are read from here on only sketched: good enough to look at code that calls them, in a hundredth of
+    /// the time; see [`Tables::sketched`].
+    pub fn with_sketched_tables(mut self) -> Self {
+        self.tables = Tables::sketched();
+        self
     }
 
     /// Names of the module's functions in order.
@@ -110,36 +146,65 @@ impl Expansion {
         &self.module
     }
 
-    /// The formula of that name, if it could be read.
-    pub fn formula(&self, name: &str) -> Option<&Formula> {
-        self.formulas.get(name)
+    /// How the module's names are written in LaTeX.
+    pub fn latex_symbols(&self) -> &Symbols {
+        &self.symbols
     }
 
-    fn read_all(&mut self) {
-        for function in &self.module.functions {
-            let mut reader = Reader::new(&self.module, &mut self.tables);
-            let value = reader.read(function);
-            // Bodies of tabulated functions are read by the table; what they call is known only there.
-            let (graph, diagnostics) = (reader.graph, reader.diagnostics);
-            self.partials.extend(reader.partials);
-            self.uses_integral |= reader.integrals > 0 || function.approximation.is_some();
-            self.diagnostics.append(diagnostics);
-            let Some(value) = value else { continue };
-            let numbers: Vec<ExprId> = value.numbers().into_iter().map(|(_, id)| id).collect();
-            let integral = graph.reachable(&numbers).into_iter().any(|id| matches!(graph.node(id), Node::Integral { .. }));
-            if integral && function.request.is_some() {
-                self.diagnostics.error_with_hint(
-                    function.item.sig.ident.span(),
-                    format!("`{}` holds an integral, which no code is generated for", function.name()),
-                    "give the integral a function of its own with #[approximate(…)]",
-                );
-                continue;
-            }
-            let (graph, roots) = rewrite::rewrite(&graph, &numbers);
-            let value = value.with_numbers(&mut roots.iter().copied());
-            self.formulas.insert(function.name(), Formula { graph, value, roots });
+    /// The formula of that name, if it was read and could be.
+    pub fn formula(&self, name: &str) -> Option<&Formula> {
+        self.formulas.get(name)?.as_ref()
+    }
+
+    /// Reads every function that was not read yet.
+    pub fn read_all(&mut self) {
+        for name in self.function_names() {
+            self.read_only(&name);
         }
-        self.diagnostics.append(std::mem::take(&mut self.tables.diagnostics));
+    }
+
+    /// Reads one function, with the bodies and tables of those that it calls, unless it was read before. A name that no
+    /// function has is left alone.
+    pub fn read_only(&mut self, name: &str) {
+        if self.formulas.contains_key(name) {
+            return;
+        }
+        if let Some(function) = self.module.function(name) {
+            let formula = self.formula_of(&function.clone());
+            self.formulas.insert(name.to_owned(), formula);
+        }
+    }
+
+    fn formula_of(&mut self, function: &Function) -> Option<Formula> {
+        let mut reader = Reader::new(&self.module, &mut self.tables);
+        let value = reader.read(function);
+        // Bodies of tabulated functions are read by the table; what they call is known only there.
+        let (graph, diagnostics) = (reader.graph, reader.diagnostics);
+        self.partials.extend(reader.partials);
+        self.uses_integral |= reader.integrals > 0 || function.approximation.is_some();
+        self.diagnostics.append(diagnostics);
+        self.diagnostics
+            .append(std::mem::take(&mut self.tables.diagnostics));
+        let value = value?;
+        let numbers: Vec<ExprId> = value.numbers().into_iter().map(|(_, id)| id).collect();
+        if holds_integral(&graph, &numbers) && function.request.is_some() {
+            self.diagnostics.error_with_hint(
+                function.item.sig.ident.span(),
+                format!(
+                    "`{}` holds an integral, which no code is generated for",
+                    function.name()
+                ),
+                "give the integral a function of its own with #[approximate(…)]",
+            );
+            return None;
+        }
+        let (graph, roots) = rewrite::rewrite(&graph, &numbers);
+        let value = value.with_numbers(&mut roots.iter().copied());
+        Some(Formula {
+            graph,
+            value,
+            roots,
+        })
     }
 
     /// Generates every form that is asked for, and the partials that formulas call.
@@ -151,8 +216,12 @@ impl Expansion {
             if let Some(request) = &function.request {
                 self.requested(function, request, &mut items);
             }
-            let partials: Vec<String> =
-                self.partials.iter().filter(|(of, _)| *of == name).map(|(_, partial)| partial.clone()).collect();
+            let partials: Vec<String> = self
+                .partials
+                .iter()
+                .filter(|(of, _)| *of == name)
+                .map(|(_, partial)| partial.clone())
+                .collect();
             for partial in partials {
                 items.push(self.partial(function, &partial));
             }
@@ -175,7 +244,7 @@ impl Expansion {
         for (wanted, form, by) in forms {
             let Some(generated) = self.generate(function, form, by).filter(|_| wanted) else {
                 if wanted {
-                    items.push(stub(function, form, by.len()));
+                    items.push(stub(&self.module, function, form, by.len()));
                 }
                 continue;
             };
@@ -187,6 +256,13 @@ impl Expansion {
         }
         if !column_forms.is_empty() {
             items.extend(self.column_items(function, &column_forms));
+        } else if request.columns {
+            self.uses_columns = true;
+            items.push(column_stubs(
+                &self.module,
+                function,
+                request.gradient.is_some(),
+            ));
         }
         if let Some((form, cost)) = richest {
             self.check_budget(function, request, form, cost);
@@ -215,29 +291,57 @@ impl Expansion {
 
     /// Generates one form of a function. None where the function could not be read or a name is unknown, which is
     /// reported.
-    pub fn generate(&mut self, function: &Function, form: Form, by: &[Target]) -> Option<Generated> {
+    pub fn generate(
+        &mut self,
+        function: &Function,
+        form: Form,
+        by: &[Target],
+    ) -> Option<Generated> {
         let by = self.symbols(function, by)?;
-        let formula = self.formulas.get(&function.name())?;
+        let formula = self.formula(&function.name())?;
         let by = if form == Form::Value { Vec::new() } else { by };
         let (graph, outputs) = derive(formula, form, &by);
         let circuit = factor::minimise(&graph, &outputs);
         self.use_tables(&graph, &circuit);
         let documentation = documentation(function, &graph, form, &by, circuit.cost());
-        let value = &self.formulas.get(&function.name())?.value;
-        let tokens = scalar::function(&graph, &circuit, function, value, form, by.len(), &documentation);
-        Some(Generated { circuit, graph, form, by, tokens })
+        let value = &self.formula(&function.name())?.value;
+        let tokens = scalar::function(
+            &graph,
+            &circuit,
+            function,
+            value,
+            form,
+            by.len(),
+            &documentation,
+        );
+        Some(Generated {
+            circuit,
+            graph,
+            form,
+            by,
+            tokens,
+        })
     }
 
     /// The symbols to derive by; all that the function uses where the list is empty.
     fn symbols(&mut self, function: &Function, by: &[Target]) -> Option<Vec<SymbolId>> {
-        let formula = self.formulas.get_mut(&function.name())?;
+        let formula = self.formulas.get_mut(&function.name())?.as_mut()?;
         if by.is_empty() {
-            return Some(formula.graph.symbols_of(&formula.roots).into_iter().collect());
+            return Some(
+                formula
+                    .graph
+                    .symbols_of(&formula.roots)
+                    .into_iter()
+                    .collect(),
+            );
         }
         let mut symbols = Vec::new();
         for target in by {
             let root = target.symbol.split(['.', '[']).next().unwrap_or_default();
-            let parameter = function.parameters.iter().find(|parameter| parameter.name == root);
+            let parameter = function
+                .parameters
+                .iter()
+                .find(|parameter| parameter.name == root);
             let fits = parameter.is_some_and(|parameter| match parameter.kind {
                 ParameterKind::Number => target.symbol == root,
                 ParameterKind::Array(length) => {
@@ -250,10 +354,17 @@ impl Expansion {
                 continue;
             }
             let used = formula.graph.symbols_of(&formula.roots);
-            let known: Vec<&str> = used.iter().map(|symbol| formula.graph.symbol(*symbol).name.as_str()).collect();
+            let known: Vec<&str> = used
+                .iter()
+                .map(|symbol| formula.graph.symbol(*symbol).name.as_str())
+                .collect();
             self.diagnostics.error_with_hint(
                 target.span,
-                format!("`{}` is no number that `{}` takes", target.symbol, function.name()),
+                format!(
+                    "`{}` is no number that `{}` takes",
+                    target.symbol,
+                    function.name()
+                ),
                 format!("it uses {}", known.join(", ")),
             );
         }
@@ -261,24 +372,50 @@ impl Expansion {
     }
 
     fn column_items(&mut self, function: &Function, generated: &[Generated]) -> Vec<TokenStream> {
-        let Some(formula) = self.formulas.get(&function.name()) else { return Vec::new() };
-        self.uses_columns = true;
-        let symbols: Vec<SymbolId> = formula.graph.symbols_of(&formula.roots).into_iter().collect();
-        let mut items = vec![columns::inputs_type(&formula.graph, &symbols)];
+        let Some(formula) = self.formula(&function.name()) else {
+            return Vec::new();
+        };
+        // Also those that cancel: a column of each input, whatever becomes of it.
+        let own = formula
+            .graph
+            .symbols()
+            .filter(|(_, symbol)| !symbol.name.contains('#'));
+        let symbols: Vec<SymbolId> = own.map(|(id, _)| id).collect();
+        let mut items = vec![columns::inputs_type(&columns::names_of(
+            &formula.graph,
+            &symbols,
+        ))];
         for form in generated {
             let names = output_names(&formula.value, &form.graph, &form.by);
-            let name = if form.form == Form::Value { "columns" } else { "gradient_columns" };
+            let name = if form.form == Form::Value {
+                "columns"
+            } else {
+                "gradient_columns"
+            };
             let cost = form.circuit.cost();
             let documentation = [
-                format!(" [`{}`](super::{}()) of each row: {}.", form.form.name(), function.name(), names.join(", ")),
+                format!(
+                    " [`{}`](super::{}()) of each row: {}.",
+                    form.form.name(),
+                    function.name(),
+                    names.join(", ")
+                ),
                 String::new(),
                 format!(" Per row: {cost}."),
                 String::new(),
                 " # Errors".to_owned(),
                 " A column that is not as long as the first result.".to_owned(),
             ];
-            items.push(columns::function(&form.graph, &form.circuit, &symbols, name, &names, &documentation));
+            items.push(columns::function(
+                &form.graph,
+                &form.circuit,
+                &symbols,
+                name,
+                &names,
+                &documentation,
+            ));
         }
+        self.uses_columns = true;
         items
     }
 
@@ -286,25 +423,47 @@ impl Expansion {
     fn partial(&mut self, function: &Function, partial: &str) -> TokenStream {
         let name = format_ident!("{partial}");
         let parameters = scalar::parameters(function);
-        let written = format!(" Partial `{partial}` of [`{0}`](super::{0}()).", function.name());
-        let Some(formula) = self.formulas.get(&function.name()) else {
+        let written = format!(
+            " Partial `{partial}` of [`{0}`](super::{0}()).",
+            function.name()
+        );
+        let Some(formula) = self.formula(&function.name()) else {
             return stub_function(function, &quote!(#name), &quote!(f64));
         };
         let mut graph = formula.graph.clone();
-        let names: Vec<(String, SymbolId)> =
-            graph.symbols().map(|(id, symbol)| (identifier(&symbol.name), id)).collect();
-        let by = partial.strip_prefix("d_").and_then(|suffix| crate::parse::body::partial_symbols(suffix, &names));
+        // Those with a `#` belong to a partial within the formula.
+        let own = graph
+            .symbols()
+            .filter(|(_, symbol)| !symbol.name.contains('#'));
+        let names: Vec<(String, SymbolId)> = own
+            .map(|(id, symbol)| (identifier(&symbol.name), id))
+            .collect();
+        let by = partial
+            .strip_prefix("d_")
+            .and_then(|suffix| crate::parse::body::partial_symbols(suffix, &names));
         let (Some(by), [root]) = (by, formula.roots.as_slice()) else {
             return stub_function(function, &quote!(#name), &quote!(f64));
         };
         let derivative = by.iter().fold(*root, |derivative, symbol| {
-            differentiate::gradient(&mut graph, derivative, &[*symbol]).first().copied().unwrap_or(derivative)
+            differentiate::gradient(&mut graph, derivative, &[*symbol])
+                .first()
+                .copied()
+                .unwrap_or(derivative)
         });
         let (graph, roots) = rewrite::rewrite(&graph, &[derivative]);
-        let circuit = factor::minimise(&graph, &Outputs { values: roots, ..Outputs::default() });
+        let circuit = factor::minimise(
+            &graph,
+            &Outputs {
+                values: roots,
+                ..Outputs::default()
+            },
+        );
         self.use_tables(&graph, &circuit);
         let symbol = |symbol: SymbolId| scalar::symbol_tokens(&graph, symbol);
-        let taken = function.parameters.iter().map(|parameter| parameter.name.to_string());
+        let taken = function
+            .parameters
+            .iter()
+            .map(|parameter| parameter.name.to_string());
         let body = crate::emit::expression::Writer::new(&graph, &circuit, &symbol, taken).body();
         let (statements, outputs) = (body.statements, body.outputs);
         let counts = format!(" Operations: {}.", circuit.cost());
@@ -322,16 +481,22 @@ impl Expansion {
 
     fn use_tables(&mut self, graph: &Graph, circuit: &Circuit) {
         for net in circuit.nets() {
-            if let factor::circuit::Operation::Tabulated { table, order, .. } = circuit.operation(net)
+            if let factor::circuit::Operation::Tabulated { table, order, .. } =
+                circuit.operation(net)
                 && let Some(known) = graph.tables.get(*table)
             {
                 let name = table_function(graph, *table, *order);
                 let summary = match order {
                     0 => format!("`{}` without its factor.", known.name),
-                    order => format!("Derivative of order {order} of `{}` without its factor.", known.name),
+                    order => format!(
+                        "Derivative of order {order} of `{}` without its factor.",
+                        known.name
+                    ),
                 };
                 let ident = format_ident!("{name}");
-                self.used_tables.entry(name).or_insert_with(|| known.derivative(*order).emit(&ident, &summary));
+                self.used_tables
+                    .entry(name)
+                    .or_insert_with(|| known.derivative(*order).emit(&ident, &summary));
             }
         }
     }
@@ -339,16 +504,35 @@ impl Expansion {
     /// The module with everything generated.
     pub fn into_tokens(self) -> TokenStream {
         let mut item = self.module.item;
+        for function in item.content.iter_mut().flat_map(|(_, items)| items) {
+            // It may be called through its partials alone.
+            if let syn::Item::Fn(function) = function
+                && self.partials.iter().any(|(of, _)| function.sig.ident == of)
+            {
+                function.attrs.push(syn::parse_quote!(#[allow(dead_code)]));
+            }
+        }
         let errors = self.diagnostics.to_tokens();
         let mut added = Vec::new();
-        for function in self.module.functions.iter().filter(|function| function.specialises.is_some()) {
+        for function in self
+            .module
+            .functions
+            .iter()
+            .filter(|function| function.specialises.is_some())
+        {
             let item = &function.item;
             added.push(quote!(#item));
         }
         if self.uses_columns {
             added.push(columns::error_type());
         }
-        if self.uses_integral && !self.module.functions.iter().any(|function| function.name() == "integral") {
+        if self.uses_integral
+            && !self
+                .module
+                .functions
+                .iter()
+                .any(|function| function.name() == "integral")
+        {
             added.push(integral_function());
         }
         added.extend(self.used_tables.into_values());
@@ -369,13 +553,14 @@ impl Expansion {
 pub fn forms_module(function: &Function, items: &[TokenStream]) -> TokenStream {
     let (visibility, name) = (&function.item.vis, &function.item.sig.ident);
     let doc = format!(" Generated forms of [`{name}`]({name}()).");
+    let items = one_deeper(quote!(#(#items)*));
     quote! {
         #[doc = #doc]
-        #[allow(clippy::all, clippy::pedantic, unused_imports, unused_variables)]
+        #[allow(clippy::all, clippy::pedantic, unused)]
         #visibility mod #name {
             use super::*;
 
-            #(#items)*
+            #items
         }
     }
 }
@@ -383,16 +568,26 @@ pub fn forms_module(function: &Function, items: &[TokenStream]) -> TokenStream {
 /// The formula's numbers with the partials that a form asks for, rewritten.
 pub fn derive(formula: &Formula, form: Form, by: &[SymbolId]) -> (Graph, Outputs) {
     let mut graph = formula.graph.clone();
-    let mut outputs = Outputs { values: formula.roots.clone(), by: by.to_vec(), ..Outputs::default() };
+    let mut outputs = Outputs {
+        values: formula.roots.clone(),
+        by: by.to_vec(),
+        ..Outputs::default()
+    };
     if form >= Form::Gradient {
         for root in &formula.roots {
-            outputs.gradients.push(differentiate::gradient(&mut graph, *root, by));
+            outputs
+                .gradients
+                .push(differentiate::gradient(&mut graph, *root, by));
         }
     }
     if form == Form::Hessian {
         for gradient in &outputs.gradients {
             let rows = differentiate::hessian(&mut graph, gradient, by);
-            let triangle = rows.iter().enumerate().flat_map(|(row, entries)| entries.iter().skip(row)).copied();
+            let triangle = rows
+                .iter()
+                .enumerate()
+                .flat_map(|(row, entries)| entries.iter().skip(row))
+                .copied();
             outputs.hessians.push(triangle.collect());
         }
     }
@@ -404,6 +599,14 @@ pub fn derive(formula: &Formula, form: Form, by: &[SymbolId]) -> (Graph, Outputs
             }
         }
     }
+    for triangle in &outputs.hessians {
+        let pairs = (0..by.len()).flat_map(|row| (row..by.len()).map(move |column| (row, column)));
+        for (second, (row, column)) in triangle.iter().zip(pairs) {
+            let [row, column] =
+                [row, column].map(|place| identifier(&graph.symbol(by[place]).name));
+            graph.suggest_name(*second, &format!("d_{row}_{column}"));
+        }
+    }
     let (graph, all) = rewrite::rewrite(&graph, &outputs.all());
     let outputs = outputs.with_all(&all);
     (graph, outputs)
@@ -413,75 +616,47 @@ pub fn derive(formula: &Formula, form: Form, by: &[SymbolId]) -> (Graph, Outputs
 fn output_names(value: &Value, graph: &Graph, by: &[SymbolId]) -> Vec<String> {
     let label = |path: &str| match identifier(path.trim_start_matches('.')) {
         name if name.is_empty() => "value".to_owned(),
-        name if name.starts_with(|c: char| c.is_ascii_digit() || c == '_') => format!("value_{}", name.trim_start_matches('_')),
+        name if name.starts_with(|c: char| c.is_ascii_digit() || c == '_') => {
+            format!("value_{}", name.trim_start_matches('_'))
+        }
         name => name,
     };
-    let values: Vec<String> = value.numbers().iter().map(|(path, _)| label(path)).collect();
+    let values: Vec<String> = value
+        .numbers()
+        .iter()
+        .map(|(path, _)| label(path))
+        .collect();
     let partials = values.iter().flat_map(|value| {
-        by.iter().map(move |symbol| format!("d_{value}_d_{}", identifier(&graph.symbol(*symbol).name)))
+        by.iter()
+            .map(move |symbol| format!("d_{value}_d_{}", identifier(&graph.symbol(*symbol).name)))
     });
     values.iter().cloned().chain(partials).collect()
 }
 
-fn documentation(function: &Function, graph: &Graph, form: Form, by: &[SymbolId], cost: Cost) -> Vec<String> {
+fn documentation(
+    function: &Function,
+    graph: &Graph,
+    form: Form,
+    by: &[SymbolId],
+    cost: Cost,
+) -> Vec<String> {
     let name = function.name();
-    let symbols: Vec<String> = by.iter().map(|symbol| format!("`{}`", graph.symbol(*symbol).name)).collect();
+    let symbols: Vec<String> = by
+        .iter()
+        .map(|symbol| format!("`{}`", graph.symbol(*symbol).name))
+        .collect();
     let what = match form {
         Form::Value => format!(" Value of [`{name}`](super::{name}())."),
-        Form::Gradient => format!(" Value of [`{name}`](super::{name}()) and its partials by {}.", symbols.join(", ")),
+        Form::Gradient => format!(
+            " Value of [`{name}`](super::{name}()) and its partials by {}.",
+            symbols.join(", ")
+        ),
         Form::Hessian => {
-            format!(" Value of [`{name}`](super::{name}()), its first and second partials by {}.", symbols.join(", "))
+            format!(
+                " Value of [`{name}`](super::{name}()), its first and second partials by {}.",
+                symbols.join(", ")
+            )
         }
     };
     vec![what, String::new(), format!(" Operations: {cost}.")]
-}
-
-/// A form that could not be generated, with its signature, so that its callers are not reported too.
-fn stub(function: &Function, form: Form, by: usize) -> TokenStream {
-    let value = match &function.item.sig.output {
-        syn::ReturnType::Default => quote!(()),
-        syn::ReturnType::Type(_, ty) => quote!(#ty),
-    };
-    let result = match form {
-        Form::Value => value,
-        Form::Gradient => quote!((#value, [f64; #by])),
-        Form::Hessian => quote!((#value, [f64; #by], [[f64; #by]; #by])),
-    };
-    let name = format_ident!("{}", form.name());
-    stub_function(function, &quote!(#name), &result)
-}
-
-fn stub_function(function: &Function, name: &TokenStream, result: &TokenStream) -> TokenStream {
-    let parameters = scalar::parameters(function);
-    quote! {
-        /// Not generated: see the errors of the module.
-        pub fn #name(#parameters) -> #result {
-            loop {}
-        }
-    }
-}
-
-/// The integral that formulas call, for the functions as written: the tanh–sinh rule.
-fn integral_function() -> TokenStream {
-    quote! {
-        /// Definite integral by the tanh–sinh rule with 113 nodes, as the formulas that are written as integrals use it;
-        /// generated code uses tables made by adaptive quadrature instead.
-        fn integral(integrand: impl Fn(f64) -> f64, range: ::core::ops::Range<f64>) -> f64 {
-            const STEP: f64 = 0.0625;
-            let width = range.end - range.start;
-            let mut sum = 0.0;
-            for node in -56..=56 {
-                let t = f64::from(node) * STEP;
-                let s = ::core::f64::consts::FRAC_PI_2 * t.sinh();
-                // The distance to the nearer end, by which the abscissa keeps its digits there.
-                let distance = width / (1.0 + (2.0 * s.abs()).exp());
-                let weight = ::core::f64::consts::FRAC_PI_2 * t.cosh() / s.cosh().powi(2);
-                let x = if s < 0.0 { range.start + distance } else { range.end - distance };
-                if x > range.start && x < range.end {
-                    sum += weight * integrand(x);
-                }
-            }
-            0.5 * width * STEP * sum
-        }
-    }
 }

@@ -145,7 +145,9 @@ pub struct Table {
 impl Table {
     /// The derivative of the given order, 0 for the fit itself.
     pub fn derivative(&self, order: usize) -> PiecewisePolynomial {
-        (0..order).fold(self.polynomial.clone(), |polynomial, _| polynomial.derivative())
+        (0..order).fold(self.polynomial.clone(), |polynomial, _| {
+            polynomial.derivative()
+        })
     }
 }
 
@@ -210,7 +212,10 @@ impl Graph {
 
     /// The expression made at that position.
     pub fn expression(&self, position: usize) -> Option<ExprId> {
-        u32::try_from(position).ok().filter(|_| position < self.nodes.len()).map(ExprId)
+        u32::try_from(position)
+            .ok()
+            .filter(|_| position < self.nodes.len())
+            .map(ExprId)
     }
 
     /// A graph is never empty: it holds the number 1.
@@ -225,7 +230,10 @@ impl Graph {
 
     /// All symbols in order of creation.
     pub fn symbols(&self) -> impl Iterator<Item = (SymbolId, &Symbol)> {
-        self.symbols.iter().enumerate().map(|(position, symbol)| (SymbolId(position as u32), symbol))
+        self.symbols
+            .iter()
+            .enumerate()
+            .map(|(position, symbol)| (SymbolId(position as u32), symbol))
     }
 
     /// The symbol of that name, made if there is none.
@@ -234,7 +242,10 @@ impl Graph {
             return id;
         }
         let id = SymbolId(self.symbols.len() as u32);
-        self.symbols.push(Symbol { name: name.to_owned(), sign: Sign::UNKNOWN });
+        self.symbols.push(Symbol {
+            name: name.to_owned(),
+            sign: Sign::UNKNOWN,
+        });
         self.symbol_index.insert(name.to_owned(), id);
         id
     }
@@ -280,7 +291,12 @@ impl Graph {
             Node::Product(factors) => factors.iter().map(|(operand, _)| *operand).collect(),
             Node::Apply(_, operands) => operands.clone(),
             Node::Tabulated { argument, .. } => vec![*argument],
-            Node::Integral { integrand, lower, upper, .. } => vec![*integrand, *lower, *upper],
+            Node::Integral {
+                integrand,
+                lower,
+                upper,
+                ..
+            } => vec![*integrand, *lower, *upper],
         }
     }
 
@@ -293,7 +309,10 @@ impl Graph {
                 stack.extend(self.operands(id));
             }
         }
-        (0..self.nodes.len()).filter(|&i| seen[i]).map(|i| ExprId(i as u32)).collect()
+        (0..self.nodes.len())
+            .filter(|&i| seen[i])
+            .map(|i| ExprId(i as u32))
+            .collect()
     }
 
     /// For every node, whether it depends on one of the symbols; a variable of integration is asked for alone.
@@ -304,10 +323,16 @@ impl Graph {
             depends[position] = match self.node(id) {
                 Node::Symbol(symbol) => symbols.contains(symbol),
                 // An integral does not depend on its own variable.
-                Node::Integral { variable, lower, upper, .. } if symbols.contains(variable) => {
-                    depends[lower.index()] || depends[upper.index()]
-                }
-                _ => self.operands(id).iter().any(|operand| depends[operand.index()]),
+                Node::Integral {
+                    variable,
+                    lower,
+                    upper,
+                    ..
+                } if symbols.contains(variable) => depends[lower.index()] || depends[upper.index()],
+                _ => self
+                    .operands(id)
+                    .iter()
+                    .any(|operand| depends[operand.index()]),
             };
         }
         depends
@@ -344,7 +369,10 @@ impl Graph {
             images[id.index()] = Some(image);
         }
         let one = target.one();
-        roots.iter().map(|root| images[root.index()].unwrap_or(one)).collect()
+        roots
+            .iter()
+            .map(|root| images[root.index()].unwrap_or(one))
+            .collect()
     }
 
     fn rebuild_node(&self, target: &mut Graph, id: ExprId, images: &[Option<ExprId>]) -> ExprId {
@@ -355,26 +383,43 @@ impl Graph {
             Node::Constant(constant) => target.constant(*constant),
             Node::Symbol(symbol) => target.symbol_expression(*symbol),
             Node::Sum(terms) => {
-                let terms: Vec<_> = terms.iter().map(|(operand, q)| (image(operand), q.clone())).collect();
+                let terms: Vec<_> = terms
+                    .iter()
+                    .map(|(operand, q)| (image(operand), q.clone()))
+                    .collect();
                 target.sum(terms)
             }
             Node::Product(factors) => {
-                let factors: Vec<_> = factors.iter().map(|(operand, n)| (image(operand), *n)).collect();
+                let factors: Vec<_> = factors
+                    .iter()
+                    .map(|(operand, n)| (image(operand), *n))
+                    .collect();
                 target.product(factors)
             }
             Node::Apply(function, operands) => {
                 let operands = operands.iter().map(image).collect();
                 target.apply(*function, operands)
             }
-            Node::Tabulated { table, order, argument } => target.tabulated(*table, *order, image(argument)),
-            Node::Integral { variable, integrand, lower, upper } => {
-                target.integral(*variable, image(integrand), image(lower), image(upper))
-            }
+            Node::Tabulated {
+                table,
+                order,
+                argument,
+            } => target.tabulated(*table, *order, image(argument)),
+            Node::Integral {
+                variable,
+                integrand,
+                lower,
+                upper,
+            } => target.integral(*variable, image(integrand), image(lower), image(upper)),
         }
     }
 
     /// Replaces symbols by expressions of the same graph, everywhere at once.
-    pub fn substitute(&mut self, roots: &[ExprId], replacements: &BTreeMap<SymbolId, ExprId>) -> Vec<ExprId> {
+    pub fn substitute(
+        &mut self,
+        roots: &[ExprId],
+        replacements: &BTreeMap<SymbolId, ExprId>,
+    ) -> Vec<ExprId> {
         let source = self.clone();
         source.rebuild(self, roots, |_, old, image| match source.node(old) {
             Node::Symbol(symbol) => replacements.get(symbol).copied().unwrap_or(image),

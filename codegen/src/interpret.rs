@@ -86,13 +86,20 @@ impl Number for f64 {
 }
 
 /// One node's value from the values of its operands. Integrals have none here.
-fn node_value<T: Number>(graph: &Graph, id: ExprId, symbols: &[T], value: &impl Fn(ExprId) -> T) -> Option<T> {
+fn node_value<T: Number>(
+    graph: &Graph,
+    id: ExprId,
+    symbols: &[T],
+    value: &impl Fn(ExprId) -> T,
+) -> Option<T> {
     Some(match graph.node(id) {
         Node::Number(number) => T::rational(number),
         Node::Constant(constant) => T::constant(*constant),
         Node::Symbol(symbol) => symbols.get(symbol.index())?.clone(),
         Node::Sum(terms) => {
-            let mut terms = terms.iter().map(|(operand, coefficient)| T::rational(coefficient).multiply(&value(*operand)));
+            let mut terms = terms
+                .iter()
+                .map(|(operand, coefficient)| T::rational(coefficient).multiply(&value(*operand)));
             let first = terms.next()?;
             terms.fold(first, |sum, term| sum.add(&term))
         }
@@ -102,7 +109,11 @@ fn node_value<T: Number>(graph: &Graph, id: ExprId, symbols: &[T], value: &impl 
             for (operand, exponent) in factors {
                 let factor = value(*operand);
                 for _ in 0..exponent.unsigned_abs() {
-                    let side = if *exponent > 0 { &mut numerator } else { &mut denominator };
+                    let side = if *exponent > 0 {
+                        &mut numerator
+                    } else {
+                        &mut denominator
+                    };
                     *side = side.multiply(&factor);
                 }
             }
@@ -112,7 +123,11 @@ fn node_value<T: Number>(graph: &Graph, id: ExprId, symbols: &[T], value: &impl 
             let operands: Vec<T> = operands.iter().map(|operand| value(*operand)).collect();
             T::apply(*function, &operands)
         }
-        Node::Tabulated { table, order, argument } => T::tabulated(graph.tables.get(*table)?, *order, &value(*argument)),
+        Node::Tabulated {
+            table,
+            order,
+            argument,
+        } => T::tabulated(graph.tables.get(*table)?, *order, &value(*argument)),
         Node::Integral { .. } => return None,
     })
 }
@@ -124,11 +139,16 @@ pub fn evaluate<T: Number>(graph: &Graph, roots: &[ExprId], symbols: &[T]) -> Op
     for id in graph.reachable(roots) {
         let zero = T::rational(&crate::graph::whole(0));
         let value = node_value(graph, id, symbols, &|operand: ExprId| {
-            values[operand.index()].clone().unwrap_or_else(|| zero.clone())
+            values[operand.index()]
+                .clone()
+                .unwrap_or_else(|| zero.clone())
         })?;
         values[id.index()] = Some(value);
     }
-    roots.iter().map(|root| values[root.index()].clone()).collect()
+    roots
+        .iter()
+        .map(|root| values[root.index()].clone())
+        .collect()
 }
 
 /// Why a function of one variable has no value.
@@ -144,7 +164,13 @@ enum Step {
     Product(Vec<(usize, i32)>),
     Apply(Function, Vec<usize>),
     Tabulated(PiecewisePolynomial, usize),
-    Integral { variable: usize, integrand: usize, lower: usize, upper: usize, inner: Vec<usize> },
+    Integral {
+        variable: usize,
+        integrand: usize,
+        lower: usize,
+        upper: usize,
+        inner: Vec<usize>,
+    },
 }
 
 /// Evaluates functions of one variable that hold integrals, for the numerics of the build.
@@ -159,7 +185,10 @@ pub struct Integrator<'g> {
 impl<'g> Integrator<'g> {
     /// An evaluator of everything in the graph; `tolerance` is relative and for each integral.
     pub fn new(graph: &'g Graph, tolerance: f64) -> Self {
-        let steps = (0..graph.len()).filter_map(|position| graph.expression(position)).map(|id| step(graph, id)).collect();
+        let steps = (0..graph.len())
+            .filter_map(|position| graph.expression(position))
+            .map(|id| step(graph, id))
+            .collect();
         Self {
             graph,
             tolerance,
@@ -173,7 +202,12 @@ impl<'g> Integrator<'g> {
     ///
     /// # Errors
     /// The text of what the quadrature could not do.
-    pub fn evaluate(&mut self, root: ExprId, symbol: SymbolId, value: f64) -> Result<f64, EvaluateError> {
+    pub fn evaluate(
+        &mut self,
+        root: ExprId,
+        symbol: SymbolId,
+        value: f64,
+    ) -> Result<f64, EvaluateError> {
         self.symbols[symbol.index()] = value;
         let inside: BTreeSet<usize> = self
             .steps
@@ -185,7 +219,9 @@ impl<'g> Integrator<'g> {
             .copied()
             .collect();
         let reachable = self.graph.reachable(&[root]).into_iter().map(ExprId::index);
-        let order: Vec<usize> = reachable.filter(|position| !inside.contains(position)).collect();
+        let order: Vec<usize> = reachable
+            .filter(|position| !inside.contains(position))
+            .collect();
         self.run(&order)?;
         Ok(self.values[root.index()])
     }
@@ -209,7 +245,14 @@ impl<'g> Integrator<'g> {
     }
 
     fn integral(&mut self, position: usize, inner: &[usize]) -> Result<f64, EvaluateError> {
-        let Step::Integral { variable, integrand, lower, upper, .. } = self.steps[position] else {
+        let Step::Integral {
+            variable,
+            integrand,
+            lower,
+            upper,
+            ..
+        } = self.steps[position]
+        else {
             return Ok(self.values[position]);
         };
         let (lower, upper, tolerance) = (self.values[lower], self.values[upper], self.tolerance);
@@ -218,7 +261,8 @@ impl<'g> Integrator<'g> {
             self.run(inner)?;
             Ok(self.values[integrand])
         };
-        integrate(&mut sample, lower, upper, tolerance).map_err(|error| EvaluateError(describe(&error)))
+        integrate(&mut sample, lower, upper, tolerance)
+            .map_err(|error| EvaluateError(describe(&error)))
     }
 }
 
@@ -227,19 +271,44 @@ fn step(graph: &Graph, id: ExprId) -> Step {
         Node::Number(value) => Step::Value(f64::rational(value)),
         Node::Constant(constant) => Step::Value(constant_value(*constant)),
         Node::Symbol(symbol) => Step::Symbol(symbol.index()),
-        Node::Sum(terms) => Step::Sum(terms.iter().map(|(operand, q)| (operand.index(), f64::rational(q))).collect()),
-        Node::Product(factors) => Step::Product(factors.iter().map(|(operand, n)| (operand.index(), *n)).collect()),
-        Node::Apply(function, operands) => Step::Apply(*function, operands.iter().map(|operand| operand.index()).collect()),
-        Node::Tabulated { table, order, argument } => match graph.tables.get(*table) {
+        Node::Sum(terms) => Step::Sum(
+            terms
+                .iter()
+                .map(|(operand, q)| (operand.index(), f64::rational(q)))
+                .collect(),
+        ),
+        Node::Product(factors) => Step::Product(
+            factors
+                .iter()
+                .map(|(operand, n)| (operand.index(), *n))
+                .collect(),
+        ),
+        Node::Apply(function, operands) => Step::Apply(
+            *function,
+            operands.iter().map(|operand| operand.index()).collect(),
+        ),
+        Node::Tabulated {
+            table,
+            order,
+            argument,
+        } => match graph.tables.get(*table) {
             Some(table) => Step::Tabulated(table.derivative(*order), argument.index()),
             None => Step::Value(f64::NAN),
         },
-        Node::Integral { variable, integrand, lower, upper } => Step::Integral {
+        Node::Integral {
+            variable,
+            integrand,
+            lower,
+            upper,
+        } => Step::Integral {
             variable: variable.index(),
             integrand: integrand.index(),
             lower: lower.index(),
             upper: upper.index(),
-            inner: changing(graph, *integrand, *variable).into_iter().map(ExprId::index).collect(),
+            inner: changing(graph, *integrand, *variable)
+                .into_iter()
+                .map(ExprId::index)
+                .collect(),
         },
     }
 }
@@ -249,17 +318,29 @@ fn elementary(step: &Step, values: &[f64], symbols: &[f64]) -> f64 {
     match step {
         Step::Value(value) => *value,
         Step::Symbol(symbol) => symbols[*symbol],
-        Step::Sum(terms) => terms.iter().map(|(operand, coefficient)| coefficient * values[*operand]).sum(),
+        Step::Sum(terms) => terms
+            .iter()
+            .map(|(operand, coefficient)| coefficient * values[*operand])
+            .sum(),
         Step::Product(factors) => {
             let power = |positive: bool| -> f64 {
-                let side = factors.iter().filter(|(_, exponent)| (*exponent > 0) == positive);
-                side.map(|(operand, exponent)| values[*operand].powi(exponent.abs())).product()
+                let side = factors
+                    .iter()
+                    .filter(|(_, exponent)| (*exponent > 0) == positive);
+                side.map(|(operand, exponent)| values[*operand].powi(exponent.abs()))
+                    .product()
             };
             power(true) / power(false)
         }
         Step::Apply(function, operands) => match operands.as_slice() {
             [x] => f64::apply(*function, &[values[*x]]),
-            operands => f64::apply(*function, &operands.iter().map(|operand| values[*operand]).collect::<Vec<_>>()),
+            operands => f64::apply(
+                *function,
+                &operands
+                    .iter()
+                    .map(|operand| values[*operand])
+                    .collect::<Vec<_>>(),
+            ),
         },
         Step::Tabulated(polynomial, argument) => polynomial.evaluate(values[*argument]),
         Step::Integral { .. } => f64::NAN,

@@ -1,14 +1,106 @@
 //! Closed-form formulas in, specialised Rust out.
+//!
+//! A formula is written once, as a plain Rust function over `f64` that reads like the paper it is from. This crate reads
+//! its source, takes its derivatives, looks for the fewest operations that give all that is asked for together, and
+//! writes straight-line Rust. It is a library on tokens: it does no input or output, and the same source gives the same
+//! bytes. The attribute macro of the crate `rotor-macros` is its door; [`show`] is the door for tools.
+//!
+//! # The language
+//!
+//! A module of functions. A function takes `f64`s, arrays `[f64; n]`, and structs of `f64`s (by value or reference), and
+//! gives a number, or numbers in a tuple, an array or a struct literal. Its body is `let` bindings and an expression of
+//!
+//! | | |
+//! |---|---|
+//! | numbers | literals, constants of the module and of `std::f64::consts`, all exact: `0.1` is one tenth |
+//! | operators | `+ - * /` |
+//! | methods | `powi(n)`, `sqrt`, `sin`, `cos`, `tan`, `exp`, `ln`, `abs`, `recip`, `mul_add`, `min`, `max` |
+//! | access | `c.field`, `a[0]`, `pair.0` |
+//! | calls | of other formulas of the module; `f::d_x(…)`, `f::d_x_y(…)` of their partials |
+//! | integrals | `integral(\|t\| …, a..b)`, in functions that are tabulated |
+//!
+//! There are no branches, loops or assignments: a case is a formula of its own, and its caller chooses. Whatever else is
+//! found is reported at its token with what to write instead, all at once.
+//!
+//! Attributes of a function say what is wanted: `#[generate(value, gradient(x, c.y), hessian(x, c.y), columns,
+//! budget(operations = 96))]`, `#[domain(x > 0.0)]`, `#[specialise(name, x = y, generate(…))]`,
+//! `#[approximate(x = 0.0..=1.0, factor = x.powi(2), tolerance = 1e-13)]`; see [`parse::attributes`]. The module's own
+//! attribute may hold a table of symbols for [`latex`].
+//!
+//! # What comes out
+//!
+//! The module as written, so that the compiler checks it and tests compare with it, and beside the function `f` a module
+//! `f` with the generated functions `value`, `gradient`, `hessian`, `columns`, `gradient_columns` and partials `d_x`, each
+//! documented with its count of operations.
+//!
+//! ```
+//! use codegen::show;
+//!
+//! let source = r#"
+//!     #[symbolic(latex(radius = "r"))]
+//!     mod cone {
+//!         /// Length of the slanted side.
+//!         pub fn side(radius: f64, h: f64) -> f64 {
+//!             (radius.powi(2) + h.powi(2)).sqrt()
+//!         }
+//!
+//!         /// Lateral surface.
+//!         #[generate(gradient(radius, h))]
+//!         pub fn surface(radius: f64, h: f64) -> f64 {
+//!             std::f64::consts::PI * radius * side(radius, h)
+//!         }
+//!     }
+//! "#;
+//! let mut cone = show::module(source)?;
+//! assert_eq!(show::latex(&cone, "side")?.trim(), r"\mathrm{side}(r, h) = \sqrt{r^2 + h^2}");
+//!
+//! let rust = show::rust(&mut cone, "surface")?;
+//! assert!(rust.contains("pub fn gradient(radius: f64, h: f64) -> (f64, [f64; 2])"), "{rust}");
+//!
+//! // The surface and both its slopes take one root.
+//! let forms = show::forms(&mut cone, "surface")?;
+//! assert!(forms.iter().all(|form| form.circuit.cost().sqrt == 1));
+//! # Ok::<(), show::ShowError>(())
+//! ```
+//!
+//! # Two representations
+//!
+//! A formula is first a [`Graph`](graph::Graph): a hash-consed directed acyclic graph of sums with rational coefficients,
+//! products with whole exponents, and functions. In it there is one handle for each value, which makes derivatives and
+//! rewriting cheap to state. [`graph`] lists its invariants; the one that matters most to an author: **nothing is ever
+//! multiplied out**, the structure of a formula is its author's knowledge about rounding.
+//!
+//! Then it is a [`Circuit`](factor::circuit::Circuit), in which every operation that will be done is visible and is
+//! counted: operands come before their users, sums and products are taken apart as they will be computed, a division is an
+//! operation of its own. What is counted is what is emitted.
+//!
+//! # Modules, in the order in which a formula passes
+//!
+//! | | |
+//! |---|---|
+//! | [`parse`] | source to functions, attributes, and values over a graph; all checks of what an author writes |
+//! | [`graph`] | the graph, its canonical form, and what is known of signs |
+//! | [`differentiate`] | reverse-mode partials in the graph |
+//! | [`rewrite`] | a table of sound rules, each with its guard |
+//! | [`factor`] | the fewest operations over a value and its partials together |
+//! | [`emit`] | circuits to tokens: functions of numbers, functions over columns |
+//! | [`mod@expand`] | the pipeline, and the module that comes out |
+//!
+//! Beside them: [`approximate`] and [`tables`] (integrals and costly functions as piecewise polynomials, fitted when the
+//! crate is built), [`interpret`] (evaluates a graph), [`cost`] (counts), [`diagnostics`] (messages at tokens), [`latex`]
+//! (source to formulas as printed), [`dot`] (circuits as pictures), [`show`] (all of these by a formula's name).
 
 pub mod approximate;
 pub mod cost;
 pub mod diagnostics;
 pub mod differentiate;
+pub mod dot;
 pub mod emit;
 pub mod expand;
 pub mod factor;
 pub mod graph;
 pub mod interpret;
+pub mod latex;
 pub mod parse;
 pub mod rewrite;
 pub mod show;

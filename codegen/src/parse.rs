@@ -6,6 +6,7 @@
 
 pub mod attributes;
 pub mod body;
+pub mod imports;
 pub mod literal;
 pub mod module;
 pub mod value;

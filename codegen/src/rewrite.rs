@@ -1,8 +1,10 @@
 //! Sound rewriting: each rule is a row of [`rules::RULES`], applied to every node until none applies.
 //!
 //! A rule holds wherever its left side is defined, on the declared domain of the symbols: `sqrt(x²)` is `|x|`, and `x`
-//! only where x ≥ 0 is known.
+//! only where x ≥ 0 is known. At the end [`roots`] makes one root of those that differ by a square.
 
+pub mod common;
+pub mod roots;
 pub mod rules;
 
 use crate::graph::{ExprId, Function, Graph};
@@ -28,15 +30,20 @@ const MOST_STEPS: usize = 64;
 /// Rewrites the roots into a new graph.
 pub fn rewrite(graph: &Graph, roots: &[ExprId]) -> (Graph, Vec<ExprId>) {
     let mut target = Graph::with_symbols_of(graph);
-    let roots = graph.rebuild(&mut target, roots, |target, _, image| simplify(target, image));
-    (target, roots)
+    let roots = graph.rebuild(&mut target, roots, |target, _, image| {
+        simplify(target, image)
+    });
+    roots::share(&target, &roots)
 }
 
 /// Applies the rules to one node, whose operands are rewritten already, until none applies.
 pub fn simplify(graph: &mut Graph, id: ExprId) -> ExprId {
     let mut current = id;
     for _ in 0..MOST_STEPS {
-        match rules::RULES.iter().find_map(|rule| (rule.apply)(graph, current).filter(|next| *next != current)) {
+        match rules::RULES
+            .iter()
+            .find_map(|rule| (rule.apply)(graph, current).filter(|next| *next != current))
+        {
             Some(next) => current = next,
             None => break,
         }

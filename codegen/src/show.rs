@@ -1,12 +1,15 @@
 //! A formula to look at: the code generated from it, its LaTeX, its graph.
 
 use proc_macro2::TokenStream;
-use syn::{Item, ItemMod};
+use syn::{Attribute, Item, ItemMod, Meta};
 
+use crate::cost::Cost;
 use crate::diagnostics::nearest;
-use crate::emit;
 use crate::emit::scalar::Form;
-use crate::expand::{Expansion, Generated};
+use crate::expand::{Expansion, Formula, Generated};
+use crate::parse::attributes::Request;
+use crate::parse::module::Function;
+use crate::{dot, emit, latex};
 
 /// Why there is nothing to show.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -39,20 +42,118 @@ fn hint(nearest: &Option<String>, known: &[String]) -> String {
     }
 }
 
-/// The `#[symbolic]` module of a source file.
+/// A formula in a list.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Summary {
+    /// Its name.
+    pub name: String,
+    /// The first paragraph of its documentation, in one line.
+    pub about: String,
+    /// The operations of its value; None where the formula has mistakes or is an integral.
+    pub cost: Option<Cost>,
+}
+
+/// The `#[symbolic]` module of a source file. Its formulas are read as they are asked for.
 ///
 /// # Errors
 /// The source is no Rust, or has no such module.
 pub fn module(source: &str) -> Result<Expansion, ShowError> {
     let file = syn::parse_file(source).map_err(|error| ShowError::Syntax(error.to_string()))?;
-    let symbolic = |item: &ItemMod| {
-        item.attrs.iter().any(|attribute| attribute.path().segments.last().is_some_and(|last| last.ident == "symbolic"))
-    };
-    let found = file.items.into_iter().find_map(|item| match item {
-        Item::Mod(item) if symbolic(&item) => Some(item),
+    let mut modules = file.items.into_iter().filter_map(|item| match item {
+        Item::Mod(item) => Some(item),
         _ => None,
     });
-    found.map(Expansion::of).ok_or(ShowError::NoModule)
+    let (attribute, item) = modules.find_map(symbolic).ok_or(ShowError::NoModule)?;
+    // The code that is shown calls its tables, but does not hold them.
+    Ok(Expansion::unread(attribute, item).with_sketched_tables())
+}
+
+/// The tokens in the attribute `symbolic(…)` and the module without it, where it has one.
+fn symbolic(mut item: ItemMod) -> Option<(TokenStream, ItemMod)> {
+    let named = |attribute: &Attribute| {
+        attribute
+            .path()
+            .segments
+            .last()
+            .is_some_and(|last| last.ident == "symbolic")
+    };
+    let position = item.attrs.iter().position(named)?;
+    let tokens = match item.attrs.remove(position).meta {
+        Meta::List(list) => list.tokens,
+        _ => TokenStream::new(),
+    };
+    Some((tokens, item))
+}
+
+/// All formulas in the order of the source.
+pub fn list(expansion: &mut Expansion) -> Vec<Summary> {
+    let names = expansion.function_names();
+    let summary = |name: String| {
+        let function = expansion.module().function(&name).cloned();
+        let about = function.as_ref().map(about).unwrap_or_default();
+        let cost = function
+            .and_then(|function| value(expansion, &function).ok())
+            .map(|value| value.circuit.cost());
+        Summary { name, about, cost }
+    };
+    names.into_iter().map(summary).collect()
+}
+
+/// The first paragraph of a function's documentation.
+fn about(function: &Function) -> String {
+    let lines = function
+        .item
+        .attrs
+        .iter()
+        .filter_map(|attribute| match &attribute.meta {
+            Meta::NameValue(pair) if pair.path.is_ident("doc") => match &pair.value {
+                syn::Expr::Lit(syn::ExprLit {
+                    lit: syn::Lit::Str(text),
+                    ..
+                }) => Some(text.value().trim().to_owned()),
+                _ => None,
+            },
+            _ => None,
+        });
+    let about = lines
+        .take_while(|line| !line.is_empty())
+        .collect::<Vec<_>>()
+        .join(" ");
+    // The brackets of links within the documentation.
+    about.replace("[`", "`").replace("`]", "`")
+}
+
+/// A formula as its author wrote it, as LaTeX for a display, without delimiters; see [`latex::formula`].
+///
+/// # Errors
+/// There is no such formula, or it has mistakes.
+pub fn latex(expansion: &Expansion, name: &str) -> Result<String, ShowError> {
+    let function = function(expansion, name)?;
+    latex::formula(expansion.module(), expansion.latex_symbols(), &function)
+        .map_err(|error| ShowError::Mistakes(error.to_string()))
+}
+
+/// The operations of a formula's value as a graph in Graphviz' language; see [`dot::dot`].
+///
+/// # Errors
+/// There is no such formula, or it has mistakes.
+pub fn graph(expansion: &mut Expansion, name: &str) -> Result<String, ShowError> {
+    let function = function(expansion, name)?;
+    let generated = value(expansion, &function)?;
+    let paths = expansion
+        .formula(name)
+        .map(|formula| formula.value.numbers())
+        .unwrap_or_default();
+    let results: Vec<String> = paths
+        .into_iter()
+        .map(|(path, _)| format!("{name}{path}"))
+        .collect();
+    Ok(dot::dot(
+        name,
+        &generated.graph,
+        &generated.circuit,
+        &results,
+    ))
 }
 
 /// The forms of a formula as they are generated, formatted, with their operation counts.
@@ -72,24 +173,128 @@ pub fn rust(expansion: &mut Expansion, name: &str) -> Result<String, ShowError> 
 /// # Errors
 /// There is no such formula, or it has mistakes.
 pub fn forms(expansion: &mut Expansion, name: &str) -> Result<Vec<Generated>, ShowError> {
-    let known = expansion.function_names();
-    let Some(function) = expansion.module().function(name).cloned() else {
-        let nearest = nearest(name, known.iter().map(String::as_str)).map(ToOwned::to_owned);
-        return Err(ShowError::Unknown { name: name.to_owned(), nearest, known });
-    };
-    let request = function.request.clone().unwrap_or_default();
-    let mut wanted = vec![(Form::Value, Vec::new())];
-    wanted.extend(request.gradient.map(|by| (Form::Gradient, by)));
-    wanted.extend(request.hessian.map(|by| (Form::Hessian, by)));
-    let mut forms = Vec::new();
-    for (form, by) in wanted {
-        match expansion.generate(&function, form, &by) {
-            Some(generated) => forms.push(generated),
-            None => {
-                let messages: Vec<String> = expansion.diagnostics.iter().map(|message| message.text()).collect();
-                return Err(ShowError::Mistakes(messages.join("; ")));
-            }
+    let function = function(expansion, name)?;
+    let Request {
+        gradient, hessian, ..
+    } = function.request.clone().unwrap_or_default();
+    let mut forms = vec![value(expansion, &function)?];
+    for (form, by) in [(Form::Gradient, gradient), (Form::Hessian, hessian)] {
+        if let Some(by) = by {
+            let generated = expansion.generate(&function, form, &by);
+            forms.push(generated.ok_or_else(|| mistakes(expansion, name))?);
         }
     }
     Ok(forms)
+}
+
+fn function(expansion: &Expansion, name: &str) -> Result<Function, ShowError> {
+    expansion.module().function(name).cloned().ok_or_else(|| {
+        let known = expansion.function_names();
+        let nearest = nearest(name, known.iter().map(String::as_str)).map(ToOwned::to_owned);
+        ShowError::Unknown {
+            name: name.to_owned(),
+            nearest,
+            known,
+        }
+    })
+}
+
+fn value(expansion: &mut Expansion, function: &Function) -> Result<Generated, ShowError> {
+    let name = function.name();
+    expansion.read_only(&name);
+    // An integral without a table has a graph, but no operations.
+    let integral = expansion.formula(&name).is_some_and(Formula::has_integral);
+    let generated = if integral {
+        None
+    } else {
+        expansion.generate(function, Form::Value, &[])
+    };
+    generated.ok_or_else(|| mistakes(expansion, &name))
+}
+
+fn mistakes(expansion: &Expansion, name: &str) -> ShowError {
+    let messages: Vec<String> = expansion
+        .diagnostics
+        .iter()
+        .map(|message| message.text())
+        .collect();
+    ShowError::Mistakes(match messages.is_empty() {
+        true => format!("`{name}` is an integral without a table; give it #[approximate(…)]"),
+        false => messages.join("; "),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SOURCE: &str = "
+        #[symbolic]
+        mod m {
+            /// Length of an arc of the sine
+            /// from 0.
+            ///
+            /// More.
+            #[approximate(x = 0.0..=2.0, factor = x, tolerance = 1e-11)]
+            pub fn arc(x: f64) -> f64 { integral(|t| (1.0 + t.cos().powi(2)).sqrt(), 0.0..x) }
+
+            /// Calls [`arc`].
+            #[domain(x > 0.0)]
+            #[generate(value, gradient(x, y))]
+            pub fn f(x: f64, y: f64) -> f64 { y * arc(x).powi(2).sqrt() }
+
+            pub fn untabulated(x: f64) -> f64 { integral(|t| t * t, 0.0..x) }
+        }";
+
+    #[test]
+    fn sketched_tables_change_no_code() {
+        let file = syn::parse_file(SOURCE).unwrap();
+        let Item::Mod(item) = file.items.into_iter().next().unwrap() else {
+            unreachable!()
+        };
+        let mut fitted = Expansion::of(item);
+        let mut sketched = module(SOURCE).unwrap();
+        let code = rust(&mut sketched, "f").unwrap();
+        assert_eq!(code, rust(&mut fitted, "f").unwrap());
+        // The table's sign is known, so that the root is gone.
+        assert!(
+            code.contains("arc_table") && !code.contains("sqrt()"),
+            "{code}"
+        );
+    }
+
+    #[test]
+    fn a_list_tells_what_each_formula_is() {
+        let list = list(&mut module(SOURCE).unwrap());
+        let about: Vec<_> = list
+            .iter()
+            .map(|formula| (formula.name.as_str(), formula.about.as_str()))
+            .collect();
+        let expected = [
+            ("arc", "Length of an arc of the sine from 0."),
+            ("f", "Calls `arc`."),
+            ("untabulated", ""),
+        ];
+        assert_eq!(about, expected);
+        assert_eq!(
+            list.iter()
+                .map(|formula| formula.cost.is_some())
+                .collect::<Vec<_>>(),
+            [true, true, false]
+        );
+    }
+
+    #[test]
+    fn what_cannot_be_shown_is_told() {
+        assert!(matches!(module("mod m {}"), Err(ShowError::NoModule)));
+        assert!(matches!(module("mod {"), Err(ShowError::Syntax(_))));
+        let mut read = module(SOURCE).unwrap();
+        let error = rust(&mut read, "untabulated").unwrap_err().to_string();
+        assert!(error.contains("integral without a table"), "{error}");
+        let error = graph(&mut read, "g").unwrap_err().to_string();
+        assert!(
+            error.contains("no formula `g`") && error.contains("did you mean `f`?"),
+            "{error}"
+        );
+    }
 }

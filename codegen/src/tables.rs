@@ -14,17 +14,35 @@ use crate::parse::value::Value;
 /// Share of a fit's tolerance that the quadrature behind it may use up.
 const QUADRATURE_SHARE: f64 = 0.05;
 
+/// The tolerance of a sketched fit: enough for the function's sign.
+const SKETCH: f64 = 1e-3;
+
 /// The tabulated functions of one module.
 #[derive(Debug, Default)]
 pub struct Tables {
     known: BTreeMap<String, Option<Table>>,
+    sketched: bool,
     /// Why a table could not be made.
     pub diagnostics: Diagnostics,
 }
 
 impl Tables {
+    /// Tables that are fitted to three digits, whatever tolerance is asked for. The code that calls a table depends on
+    /// its name and its sign alone, so that this is enough where only that code is looked at.
+    pub fn sketched() -> Self {
+        Self {
+            sketched: true,
+            ..Self::default()
+        }
+    }
+
     /// The table of an approximated function. None where it could not be made, which is then reported.
-    pub fn get(&mut self, module: &Module, function: &Function, approximation: &Approximation) -> Option<&Table> {
+    pub fn get(
+        &mut self,
+        module: &Module,
+        function: &Function,
+        approximation: &Approximation,
+    ) -> Option<&Table> {
         let name = function.name();
         if !self.known.contains_key(&name) {
             // Entered first, so that a function whose integrand needs its own table ends here.
@@ -35,29 +53,56 @@ impl Tables {
         self.known.get(&name)?.as_ref()
     }
 
-    fn fit(&mut self, module: &Module, function: &Function, approximation: &Approximation) -> Option<Table> {
+    fn fit(
+        &mut self,
+        module: &Module,
+        function: &Function,
+        approximation: &Approximation,
+    ) -> Option<Table> {
         let mut reader = Reader::new(module, self);
-        let body = match reader.read_body(function)? {
+        let body = reader.read_body(function);
+        let factor = reader.read_factor(approximation);
+        let (graph, diagnostics) = (reader.graph, reader.diagnostics);
+        self.diagnostics.append(diagnostics);
+        let body = match body? {
             Value::Number(id) => id,
             other => {
-                let message = format!("an approximated function gives a number, not {}", other.description());
-                self.diagnostics.error(function.item.sig.ident.span(), message);
+                let message = format!(
+                    "an approximated function gives a number, not {}",
+                    other.description()
+                );
+                let hint = "write a function of its own for each of them";
+                self.diagnostics
+                    .error_with_hint(function.item.sig.ident.span(), message, hint);
                 return None;
             }
         };
-        let factor = reader.read_factor(approximation)?;
-        let graph = reader.graph;
+        let factor = factor?;
         let symbol = graph.find_symbol(&approximation.variable.to_string())?;
-        let mut integrator = Integrator::new(&graph, QUADRATURE_SHARE * approximation.tolerance);
+        let tolerance = if self.sketched {
+            SKETCH.max(approximation.tolerance)
+        } else {
+            approximation.tolerance
+        };
+        let mut integrator = Integrator::new(&graph, QUADRATURE_SHARE * tolerance);
         let mut quotient = |x: f64| -> Result<f64, EvaluateError> {
             let body = integrator.evaluate(body, symbol, x)?;
             Ok(body / integrator.evaluate(factor, symbol, x)?)
         };
-        let fit = piecewise::fit(&mut quotient, approximation.lower, approximation.upper, approximation.tolerance);
+        let fit = piecewise::fit(
+            &mut quotient,
+            approximation.lower,
+            approximation.upper,
+            tolerance,
+        );
         match fit {
             Ok(polynomial) => {
                 let sign = sign(&polynomial);
-                Some(Table { name: function.name(), polynomial, sign })
+                Some(Table {
+                    name: function.name(),
+                    polynomial,
+                    sign,
+                })
             }
             Err(error) => {
                 self.diagnostics.error_with_hint(

@@ -51,7 +51,8 @@ pub(crate) enum Command {
 #[command(after_help = format!("Examples:\n  \
   $ rotor report\n  \
   $ rotor init -o my-rotor.toml && rotor report my-rotor.toml -o my-report\n\n\
-The check that can fail (exit code 1): a width by Hill's method and the exact one differ by more than 1e-6 of it.\n\
+The check that can fail (exit code 1): a width by Hill's method and the exact one differ by more than 1e-6 of it,\n\
+in a narrow region by more than rounding may move it.\n\
 {EXIT_CODES}"))]
 pub(crate) struct ReportArguments {
     /// The rotor, a TOML file as `rotor init` writes it; `-` is standard input. Without it, the paper's rotor
@@ -76,17 +77,18 @@ impl ReportArguments {
 /// Evaluate a table of rotors
 ///
 /// Each row of a CSV table is a rotor. Columns named like the inputs (disk_mass or disk.mass, crack_depth_ratio,
-/// crack_model, ...) are read; inputs without a column come from --base. All columns are kept as they are,
-/// in their place; the results follow, then a column `error`. Numbers are written so that they read back exactly.
+/// crack_model, ...) are read; inputs without a column come from --base. All columns are kept as they are, in their
+/// place; the results follow, then a column `error`, each in place of one that has its name already. Numbers are
+/// written so that they read back exactly.
 ///
-/// A region that does not exist leaves its cells empty and says why in `error`; that is an answer, not a mistake.
+/// A region that is closed has the width 0: it exists. One that does not exist leaves its cells empty and says why in
+/// `error`; that is an answer, not a mistake.
 /// A row that is no rotor stops the run, and no file is written. An empty cell in an input's column is such a
 /// mistake: the base rotor stands in for whole columns only.
 #[derive(Args, Debug)]
 #[command(after_help = format!("Examples:\n  \
   $ printf 'crack.depth_ratio\\n0.1\\n0.2\\n' | rotor evaluate - --quantities sir_width,cir_width\n  \
   $ printf 'name,crack_angle\\nA,0\\nB,1.5\\n' > table.csv && rotor evaluate table.csv -o widths.csv\n\n\
-The check that can fail (exit code 1): with --keep-going, one row or more is no rotor.\n\
 Results: {}\n{EXIT_CODES}", crate::evaluate::result_names().join(" ")))]
 pub(crate) struct EvaluateArguments {
     /// The table, comma-separated with a header row; `-` is standard input
@@ -114,10 +116,6 @@ pub(crate) struct EvaluateArguments {
     /// Keep rows that are no rotor: their results stay empty, `error` says why
     #[arg(short, long)]
     pub(crate) keep_going: bool,
-
-    /// Drop columns of the table that have the name of a result asked for, or `error`; without it they are refused
-    #[arg(short, long)]
-    pub(crate) replace: bool,
 }
 
 /// The zero unstable points: which crack closes an instability region
@@ -149,14 +147,19 @@ pub(crate) struct InitArguments {
     pub(crate) force: bool,
 }
 
-/// Show an equation, as it is written, typeset, or as a graph
+/// Show an equation: the generated code, typeset, or as a graph
+///
+/// Without a name, lists all equations: what each is, and the operations that its value takes.
 #[derive(Args, Debug)]
 #[command(after_help = format!("Examples:\n  \
-  $ rotor show phi --latex\n\n{EXIT_CODES}"))]
+  $ rotor show\n  \
+  $ rotor show sir_width\n  \
+  $ rotor show phi --latex\n  \
+  $ rotor show f_n --graph > f_n.dot\n\n{EXIT_CODES}"))]
 pub(crate) struct ShowArguments {
-    /// The equation's name, as in the library's module `equations`
+    /// The equation's name, as in the library's module `equations`; without it, all are listed
     #[arg(value_name = "NAME")]
-    pub(crate) name: String,
+    pub(crate) name: Option<String>,
 
     #[command(flatten)]
     pub(crate) form: FormArguments,

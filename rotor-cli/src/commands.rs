@@ -5,7 +5,7 @@ use std::process::ExitCode;
 use clap::Parser;
 
 use crate::command_line::{Command, CommandLine, FormArguments, ReportArguments, ShowArguments};
-use crate::failure::{Failure, Outcome};
+use crate::failure::{Failure, Message, Outcome};
 use crate::show::Form;
 use crate::{evaluate, init, output, report, show, zup};
 
@@ -17,8 +17,10 @@ pub(crate) fn run() -> ExitCode {
         Ok(Outcome::Passed) => ExitCode::SUCCESS,
         Ok(Outcome::CheckFailed) => ExitCode::from(1),
         Err(failure) => {
-            if let Some(message) = failure.message() {
-                output::remark(&message);
+            match failure.message() {
+                Some(Message::Plain(text)) => output::remark(&text),
+                Some(Message::Drawn(text)) => output::drawing(&text),
+                None => {}
             }
             failure.exit_code()
         }
@@ -37,7 +39,7 @@ fn dispatch(command: Option<Command>) -> Result<Outcome, Failure> {
 }
 
 fn show_equation(arguments: &ShowArguments) -> Result<Outcome, Failure> {
-    let shown = show::run(&arguments.name, Form::from(&arguments.form))
+    let shown = show::run(arguments.name.as_deref(), Form::from(&arguments.form))
         .map_err(|error| Failure::input(error.to_string()))?;
     output::print(&shown)?;
     Ok(Outcome::Passed)

@@ -13,6 +13,15 @@ pub(crate) enum Outcome {
     CheckFailed,
 }
 
+/// What a failure says.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Message {
+    /// A sentence, to be broken into lines.
+    Plain(String),
+    /// A drawing that has its lines already.
+    Drawn(String),
+}
+
 /// Why a command stopped before its end.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum Failure {
@@ -78,14 +87,14 @@ impl Failure {
     }
 
     /// What goes to stderr; nothing for a closed pipe.
-    pub(crate) fn message(&self) -> Option<String> {
+    pub(crate) fn message(&self) -> Option<Message> {
         match self {
             Self::OutputClosed => None,
             Self::Input {
                 text,
                 rendered: true,
-            } => Some(text.clone()),
-            other => Some(format!("error: {other}")),
+            } => Some(Message::Drawn(text.clone())),
+            other => Some(Message::Plain(format!("error: {other}"))),
         }
     }
 

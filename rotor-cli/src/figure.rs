@@ -50,6 +50,8 @@ pub(crate) struct Panel {
     pub(crate) curves: Vec<Curve>,
     /// Labelled points.
     pub(crate) annotations: Vec<Annotation>,
+    /// Said in the middle of the plot, as why nothing is drawn; may be empty.
+    pub(crate) note: String,
 }
 
 /// An axis: its label with the unit, the range it shows and how its ticks are written.
@@ -166,6 +168,8 @@ pub(crate) struct Map {
     pub(crate) curves: Vec<Curve>,
     /// Labelled points.
     pub(crate) annotations: Vec<Annotation>,
+    /// Said in the middle of the plot, as why nothing is drawn; may be empty.
+    pub(crate) note: String,
 }
 
 /// Why a figure could not be made.

@@ -1,12 +1,13 @@
 //! Where results go: standard output, or files that appear whole or not at all.
 
 use std::fs::{self, File};
-use std::io::{self, BufWriter, Write};
+use std::io::{self, BufWriter, Seek, Write};
 use std::path::{Path, PathBuf};
 
-use tempfile::{NamedTempFile, TempDir};
+use tempfile::{NamedTempFile, SpooledTempFile, TempDir};
 
 use crate::failure::Failure;
+use crate::table::wrapped;
 
 /// Writes a text to standard output.
 ///
@@ -21,16 +22,32 @@ pub(crate) fn print(text: &str) -> Result<(), Failure> {
         .map_err(|source| Failure::stream("write", "standard output", source))
 }
 
-/// Writes a remark to standard error. A closed stderr is no reason to stop.
+/// Writes a remark to standard error, in lines that are not too wide. A closed stderr is no reason to stop.
 pub(crate) fn remark(text: &str) {
+    drawing(wrapped(text, "").trim_end());
+}
+
+/// Writes to standard error what has its lines already.
+pub(crate) fn drawing(text: &str) {
     let _ = writeln!(io::stderr().lock(), "{text}");
 }
 
-/// An output stream: standard output (`-`), a special file as it is, or a file that is written beside its
-/// place and moved there by [`Destination::finish`].
+/// The system's error without the temporary file's name, which would tell nobody anything.
+fn without_path(error: &io::Error) -> io::Error {
+    let text = error.to_string();
+    let what = text.split(" at path \"").next().unwrap_or_default();
+    io::Error::new(error.kind(), what)
+}
+
+/// Up to this size, 8 MiB, what goes to a stream waits in memory, beyond it in a temporary file.
+const MOST_IN_MEMORY: usize = 8 << 20;
+
+/// Where a result goes that appears whole or not at all, by [`Destination::finish`]: standard output (`-`), a special
+/// file, or a file that is written beside its place and moved there.
 pub(crate) enum Destination {
-    /// Written as it comes.
-    Direct {
+    /// Kept back until it is complete.
+    Stream {
+        kept: SpooledTempFile,
         stream: Box<dyn Write>,
         name: String,
     },
@@ -49,11 +66,8 @@ impl Destination {
     /// Where the folder does not exist or cannot be written to, or `path` is a folder.
     pub(crate) fn open(path: &Path) -> Result<Self, Failure> {
         if path.as_os_str() == "-" {
-            let stream = Box::new(BufWriter::new(io::stdout().lock()));
-            return Ok(Self::Direct {
-                stream,
-                name: "standard output".to_owned(),
-            });
+            let stdout = Box::new(io::stdout().lock());
+            return Ok(Self::to_stream(stdout, "standard output".to_owned()));
         }
         // A link keeps pointing where it pointed: what it points to is replaced.
         let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
@@ -73,10 +87,7 @@ impl Destination {
                 .open(&target)
                 .map_err(|source| Failure::file("write", path, source))?;
             let name = format!("`{}`", path.display());
-            return Ok(Self::Direct {
-                stream: Box::new(BufWriter::new(file)),
-                name,
-            });
+            return Ok(Self::to_stream(Box::new(file), name));
         }
         let mut builder = tempfile::Builder::new();
         builder.prefix(".rotor-").suffix(".part");
@@ -88,22 +99,36 @@ impl Destination {
         }
         let file = builder
             .tempfile_in(folder_of(&target))
-            .map_err(|source| Failure::file("write", path, source))?;
+            .map_err(|source| Failure::file("write", path, without_path(&source)))?;
         Ok(Self::Staged {
             file: BufWriter::new(file),
             target,
         })
     }
 
+    fn to_stream(stream: Box<dyn Write>, name: String) -> Self {
+        Self::Stream {
+            kept: SpooledTempFile::new(MOST_IN_MEMORY),
+            stream,
+            name,
+        }
+    }
+
     /// Makes what was written appear.
     ///
     /// # Errors
     ///
-    /// Where the last bytes or the move fail; the target is then as it was.
+    /// Where the last bytes or the move fail; a file is then as it was.
     pub(crate) fn finish(self) -> Result<(), Failure> {
         match self {
-            Self::Direct { mut stream, name } => stream
-                .flush()
+            Self::Stream {
+                mut kept,
+                mut stream,
+                name,
+            } => kept
+                .rewind()
+                .and_then(|()| io::copy(&mut kept, &mut stream))
+                .and_then(|_| stream.flush())
                 .map_err(|source| Failure::stream("write", name, source)),
             Self::Staged { file, target } => {
                 let file = file
@@ -119,7 +144,7 @@ impl Destination {
     /// The stream's name in a message.
     pub(crate) fn name(&self) -> String {
         match self {
-            Self::Direct { name, .. } => name.clone(),
+            Self::Stream { name, .. } => name.clone(),
             Self::Staged { target, .. } => format!("`{}`", target.display()),
         }
     }
@@ -128,14 +153,14 @@ impl Destination {
 impl Write for Destination {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         match self {
-            Self::Direct { stream, .. } => stream.write(bytes),
+            Self::Stream { kept, .. } => kept.write(bytes),
             Self::Staged { file, .. } => file.write(bytes),
         }
     }
 
     fn flush(&mut self) -> io::Result<()> {
         match self {
-            Self::Direct { stream, .. } => stream.flush(),
+            Self::Stream { kept, .. } => kept.flush(),
             Self::Staged { file, .. } => file.flush(),
         }
     }
@@ -168,7 +193,7 @@ impl StagedFolder {
         usual_permissions(&mut builder, 0o777);
         let staging = builder
             .tempdir_in(&parent)
-            .map_err(|source| Failure::file("write", target, source))?;
+            .map_err(|source| Failure::file("write", target, without_path(&source)))?;
         Ok(Self {
             staging,
             target: target.to_owned(),

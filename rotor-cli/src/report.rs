@@ -15,7 +15,7 @@ use crate::output::{self, StagedFolder};
 use crate::rotor_file;
 use crate::table::{Table, wrapped};
 use crate::zup;
-use analysis::{AGREEMENT, Analysis};
+use analysis::Analysis;
 use html::Picture;
 
 /// Reports on a rotor: computes all, writes the files, then prints.
@@ -95,11 +95,8 @@ fn terminal(heading: &str, warnings: &[String], tables: &[Table]) -> String {
 
 fn checked(analysis: &Analysis) -> Outcome {
     let disagreements = analysis.disagreements();
-    for kind in &disagreements {
-        output::remark(&format!(
-            "check failed: the width of the {} by Hill's method and the exact one differ by more than {AGREEMENT:e} of it",
-            kind.description()
-        ));
+    for (kind, why) in &disagreements {
+        output::remark(&format!("check failed: {}: {why}", kind.description()));
     }
     if disagreements.is_empty() {
         Outcome::Passed

@@ -12,7 +12,7 @@ use crate::command_line::ZupArguments;
 use crate::failure::{Failure, Outcome};
 use crate::output;
 use crate::rotor_file::{self, NamedRotor};
-use crate::table::{Cell, Table, significant};
+use crate::table::{Cell, Table, significant, wrapped};
 
 /// Prints the zero unstable points.
 ///
@@ -21,9 +21,12 @@ use crate::table::{Cell, Table, significant};
 /// Where the rotor cannot be read.
 pub(crate) fn run(arguments: &ZupArguments) -> Result<Outcome, Failure> {
     let named = rotor_file::load(arguments.file.as_deref())?;
+    for warning in named.rotor.warnings() {
+        output::remark(&format!("warning: {warning}"));
+    }
     output::print(&format!(
-        "{}\n\n{}",
-        heading(&named),
+        "{}\n{}",
+        wrapped(&heading(&named), ""),
         table(&named.rotor).plain()
     ))?;
     Ok(Outcome::Passed)
@@ -94,13 +97,19 @@ fn region_rows(rotor: &Rotor, kind: RegionKind, short: &str) -> Vec<Vec<Cell>> {
         "σ_ZUP",
         zup_depth(rotor, kind),
     ));
-    rows.extend(points(
-        short,
-        "crack position",
-        "l_c/L",
-        zup_position(rotor, kind),
-    ));
+    rows.extend(if excited(rotor) {
+        points(short, "crack position", "l_c/L", zup_position(rotor, kind))
+    } else {
+        let why = "every position: with neither crack nor asymmetry the region is closed";
+        vec![none(short, "crack position", "l_c/L", &why)]
+    });
     rows
+}
+
+/// Whether anything excites the rotor; if not, no region is open wherever the crack would be.
+fn excited(rotor: &Rotor) -> bool {
+    let parameters = rotor.parameters();
+    parameters.disk_asymmetry != 0.0 || parameters.crack_depth_ratio != 0.0
 }
 
 fn points(

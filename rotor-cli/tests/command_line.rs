@@ -112,6 +112,44 @@ fn a_closed_pipe_is_quiet() {
 }
 
 #[test]
+fn zup_says_once_that_nothing_excites_the_rotor() {
+    let file = common::rotor_file("asymmetry = 0.2", "asymmetry = 0")
+        .replace("depth_ratio = 0.2", "depth_ratio = 0");
+    let run = Workplace::new()
+        .with("a.toml", file)
+        .run(&["zup", "a.toml"]);
+    assert_eq!((run.code, run.stderr.as_str()), (0, ""));
+    assert_eq!(
+        run.stdout.matches("every position").count(),
+        2,
+        "{}",
+        run.stdout
+    );
+    assert!(run.stdout.lines().count() < 16, "{}", run.stdout);
+}
+
+#[test]
+fn zup_warns_and_tells_uncoupled_motions() {
+    let file = common::rotor_file("asymmetry = 0.2", "asymmetry = 0.8")
+        .replace("position_ratio = 0.25", "position_ratio = 0.5")
+        .replace("depth_ratio = 0.2", "depth_ratio = 0");
+    let run = Workplace::new()
+        .with("a.toml", file)
+        .run(&["zup", "a.toml"]);
+    assert_eq!(run.code, 0);
+    assert!(
+        run.stderr.starts_with("warning: disk_asymmetry is 0.8"),
+        "{}",
+        run.stderr
+    );
+    assert!(
+        run.stdout.contains("uncoupled") && !run.stdout.contains("NaN"),
+        "{}",
+        run.stdout
+    );
+}
+
+#[test]
 fn zup_says_none_in_range() {
     let file =
         common::rotor_file("asymmetry = 0.2", "asymmetry = 0.99").replace("0.2096", "0.2794");

@@ -148,6 +148,52 @@ fn a_second_simple_region_is_reported() {
 }
 
 #[test]
+fn instability_without_an_upper_end_is_reported() {
+    // With |Δ_d| > |β - 1|; only the second of them has a second simple region.
+    for inertia in ["0.1397", "0.132715"] {
+        let file = rotor_file(
+            "polar_inertia = 0.2096",
+            &format!("polar_inertia = {inertia}"),
+        );
+        let run = Workplace::new()
+            .with("a.toml", file)
+            .run(&["report", "a.toml"]);
+        assert_eq!(run.code, 0, "{}", run.stderr);
+        let line = run
+            .stdout
+            .lines()
+            .find(|line| line.contains("unstable from Ω = … upwards"))
+            .unwrap();
+        let speeds: Vec<f64> = line
+            .split_whitespace()
+            .filter_map(|word| word.parse().ok())
+            .collect();
+        assert!(
+            speeds.len() == 3 && speeds[0] > 2.4 && speeds[0] < 2.8,
+            "{line}"
+        );
+        assert!(!run.stdout.contains("e10"), "{}", run.stdout);
+    }
+}
+
+#[test]
+fn an_end_inside_an_instability_without_upper_end_is_no_boundary() {
+    // The combination region leads into the one that has no upper end.
+    let file = rotor_file("polar_inertia = 0.2096", "polar_inertia = 0.1397")
+        .replace("asymmetry = 0.2", "asymmetry = 0.9");
+    let run = Workplace::new()
+        .with("a.toml", file)
+        .run(&["report", "a.toml"]);
+    assert!(run.code == 0, "{}", run.stderr);
+    assert!(
+        run.stdout
+            .contains("Its exact upper end is no boundary of stability"),
+        "{}",
+        run.stdout
+    );
+}
+
+#[test]
 fn a_closed_region_and_a_doubtful_disk_are_told() {
     let file = rotor_file("asymmetry = 0.2", "asymmetry = 0.9")
         .replace("depth_ratio = 0.2", "depth_ratio = 0");

@@ -111,6 +111,14 @@ fn the_right_place_of_a_key_is_told() {
 }
 
 #[test]
+fn of_very_many_mistakes_the_first_are_told() {
+    let lines: String = (0..50).map(|index| format!("x{index} = 1\n")).collect();
+    let message = refused(lines);
+    assert_eq!(message.matches("error: ").count(), 20, "{message}");
+    assert!(message.contains("and 31 more in shaft.toml"), "{message}");
+}
+
+#[test]
 fn all_mistakes_are_told_at_once() {
     let message = refused(
         rotor_file("mass = 10.43", "mass = 0").replace("asymmetry = 0.2", "asymetry = 0.2"),

@@ -1,104 +1,83 @@
 //! Every closed form of the paper, each written once, as plain Rust under the generator.
 //!
-//! The corrections E1 to E13 to the printed text are named where they are applied.
+//! E1 to E13 are the [corrections](crate::corrections) to the printed text.
+
+mod terms;
 
 pub use formulas::*;
+pub use terms::*;
 
-#[rotor_macros::symbolic]
+/// This module's own source text, for tools that show a formula as it is written.
+pub const SOURCE: &str = include_str!("equations.rs");
+
+#[rotor_macros::symbolic(latex(
+    speed = "\\Omega",
+    omega_bar = "\\varpi",
+    detuning = "\\vartheta",
+    disk_mass = "m_d",
+    disk_diametral_inertia = "I_d",
+    disk_polar_inertia = "I_p",
+    disk_asymmetry = "\\Delta_d",
+    disk_position_ratio = "\\frac{l_d}{L}",
+    shaft_length = "L",
+    shaft_radius = "R",
+    shaft_youngs_modulus = "E",
+    shaft_poissons_ratio = "\\nu",
+    crack_depth_ratio = "\\sigma",
+    crack_position_ratio = "\\frac{l_c}{L}",
+    crack_angle = "\\phi",
+    mu = "\\bar{\\mu}",
+    xi = "\\bar{\\xi}",
+    mode_one_lateral = "F_1",
+    mode_one_opening = "F_2",
+    mode_two = "F_{II}",
+    mode_three = "F_{III}",
+    edge_half_width = "\\bar{b}",
+    strip_height = "\\bar{h}",
+    strip_depth = "\\bar{a}",
+    moment_of_force = "M_F",
+    shear_of_force = "V_F",
+    moment_of_couple = "M_M",
+    shear_of_couple = "V_M",
+    delta_k_tt = "\\Delta k_{tt}",
+    delta_k_tm = "\\Delta k_{tm}",
+    delta_k_mm = "\\Delta k_{mm}",
+    reference_speed = "\\omega_{st}",
+    h = "H",
+    h_bar = "\\bar{H}",
+    g = "G",
+    g_bar = "\\bar{G}",
+    transverse = "H",
+    tilting = "G",
+    d_omega_bar = "\\bar{f}_n'",
+    cos_2phi = "c_{2\\phi}",
+    phi = "\\Phi",
+    phi_on_sir = "\\Phi_s",
+    theta_1 = "\\Theta_1",
+    theta_2 = "\\Theta_2",
+    gamma_excitation = "\\Gamma",
+    sigma_1 = "\\Sigma_1",
+    sigma_2 = "\\Sigma_2",
+    psi = "\\Psi",
+    sir_start_squared = "\\Omega_s^2",
+    sir_start = "\\Omega_s",
+    upper_sir_start = "\\Omega_{s,2}",
+    cir_start = "\\Omega_c",
+    cir_omega = "\\omega_1",
+    peak_growth_squared = "\\kappa_0^2",
+    width = "\\lambda",
+    sir_width = "\\lambda_s",
+    upper_sir_width = "\\lambda_{s,2}",
+    cir_width = "\\lambda_c",
+    growth = "\\kappa",
+    sir_growth = "\\kappa_s",
+    cir_growth = "\\kappa_c",
+    sir_zup_asymmetry = "\\Delta_{d,s}",
+    cir_zup_asymmetry = "\\Delta_{d,c}",
+))]
 mod formulas {
+    use super::terms::*;
     use crate::rotor::RotorParameters;
-
-    /// The eight dimensionless numbers that decide stability: Eq. (12), the disk's asymmetry and the crack's angle.
-    #[derive(Clone, Copy, Debug, PartialEq)]
-    pub struct Coefficients {
-        /// Inertia ratio $\beta = I_p/I_d$.
-        pub beta: f64,
-        /// Time-invariant coupling stiffness $\gamma$.
-        pub gamma: f64,
-        /// Time-invariant tilting stiffness $\delta$.
-        pub delta: f64,
-        /// Relative amplitude $\epsilon_1$ of the time-varying transverse stiffness.
-        pub epsilon_1: f64,
-        /// Relative amplitude $\epsilon_{12}$ of the time-varying coupling stiffness.
-        pub epsilon_12: f64,
-        /// Relative amplitude $\epsilon_2$ of the time-varying tilting stiffness.
-        pub epsilon_2: f64,
-        /// Relative inertia asymmetry $\Delta_d$ of the disk.
-        pub disk_asymmetry: f64,
-        /// Angle $\phi$ between the crack and the disk's major axis, rad.
-        pub crack_angle: f64,
-    }
-
-    /// Additional compliance of the crack, Eq. (8).
-    #[derive(Clone, Copy, Debug, PartialEq)]
-    pub struct CrackCompliance {
-        /// Shear along the crack's depth, m/N.
-        pub c11: f64,
-        /// Shear along the crack's edge, m/N.
-        pub c22: f64,
-        /// Bending that opens the whole edge, rad/(N m).
-        pub c33: f64,
-        /// Bending that opens one half of the edge, rad/(N m).
-        pub c44: f64,
-    }
-
-    /// Moment and shear at the crack's section from a unit force and from a unit couple at the disk.
-    #[derive(Clone, Copy, Debug, PartialEq)]
-    pub struct SectionLoads {
-        /// Bending moment from the unit force, m.
-        pub moment_of_force: f64,
-        /// Shear from the unit force, dimensionless.
-        pub shear_of_force: f64,
-        /// Bending moment from the unit couple, dimensionless.
-        pub moment_of_couple: f64,
-        /// Shear from the unit couple, 1/m.
-        pub shear_of_couple: f64,
-    }
-
-    /// Flexibility of the uncracked shaft at the disk, Eq. (7).
-    #[derive(Clone, Copy, Debug, PartialEq)]
-    pub struct ShaftFlexibility {
-        /// Deflection of the unit force, m/N.
-        pub f11: f64,
-        /// Slope of the unit force, rad/N.
-        pub f14: f64,
-        /// Slope of the unit couple, rad/(N m).
-        pub f44: f64,
-    }
-
-    /// Flexibility of the cracked shaft in the axes that turn with it, Eqs. (5), (6).
-    #[derive(Clone, Copy, Debug, PartialEq)]
-    pub struct CrackedFlexibility {
-        /// $a_{11}$, m/N.
-        pub a11: f64,
-        /// $a_{14}$, rad/N.
-        pub a14: f64,
-        /// $a_{22}$, m/N.
-        pub a22: f64,
-        /// $a_{23}$, rad/N.
-        pub a23: f64,
-        /// $a_{33}$, rad/(N m).
-        pub a33: f64,
-        /// $a_{44}$, rad/(N m).
-        pub a44: f64,
-    }
-
-    /// Mean stiffness of the cracked shaft and its variation over a turn, Eq. (10).
-    #[derive(Clone, Copy, Debug, PartialEq)]
-    pub struct Stiffness {
-        /// $k_{tt}$, N/m.
-        pub k_tt: f64,
-        /// $k_{tm}$, N.
-        pub k_tm: f64,
-        /// $k_{mm}$, N m.
-        pub k_mm: f64,
-        /// $\Delta k_{tt}$, N/m.
-        pub delta_k_tt: f64,
-        /// $\Delta k_{tm}$, N.
-        pub delta_k_tm: f64,
-        /// $\Delta k_{mm}$, N m.
-        pub delta_k_mm: f64,
-    }
 
     // ---- Crack compliance, Eq. (8) --------------------------------------------------------------
 
@@ -149,7 +128,7 @@ mod formulas {
 
     /// The double integral of Eq. (8a), $\iint \bar\xi F_{II}^2$.
     #[approximate(sigma = 0.0..=1.0, factor = sigma.powi(2) * sigma.sqrt(), tolerance = 1e-13)]
-    #[generate(value)]
+    #[generate(value, gradient)]
     pub fn sliding_integral(sigma: f64) -> f64 {
         integral(
             |mu| {
@@ -164,7 +143,7 @@ mod formulas {
 
     /// The double integral of Eq. (8b), $\iint \bar\xi F_{III}^2$.
     #[approximate(sigma = 0.0..=1.0, factor = sigma.powi(2) * sigma.sqrt(), tolerance = 1e-13)]
-    #[generate(value)]
+    #[generate(value, gradient)]
     pub fn tearing_integral(sigma: f64) -> f64 {
         integral(
             |mu| {
@@ -179,7 +158,7 @@ mod formulas {
 
     /// The double integral of Eq. (8c), $\iint \bar\xi (1-\bar\mu^2) F_2^2$.
     #[approximate(sigma = 0.0..=1.0, factor = sigma.powi(2) * sigma.sqrt(), tolerance = 1e-13)]
-    #[generate(value)]
+    #[generate(value, gradient)]
     pub fn opening_integral(sigma: f64) -> f64 {
         integral(
             |mu| {
@@ -195,7 +174,7 @@ mod formulas {
 
     /// The double integral of Eq. (8d), $\iint \bar\xi \bar\mu^2 F_1^2$.
     #[approximate(sigma = 0.0..=1.0, factor = sigma.powi(3) * sigma.sqrt(), tolerance = 1e-13)]
-    #[generate(value)]
+    #[generate(value, gradient)]
     pub fn lateral_integral(sigma: f64) -> f64 {
         integral(
             |mu| {
@@ -238,6 +217,7 @@ mod formulas {
             f11: scale * p.shaft_length.powi(2) * (left * right).powi(2),
             f14: scale * p.shaft_length * left * right * (right - left),
             f44: scale * (left.powi(3) + right.powi(3)),
+            determinant: (scale * p.shaft_length).powi(2) * (left * right).powi(3),
         }
     }
 
@@ -261,25 +241,23 @@ mod formulas {
         }
     }
 
-    /// The loads at a crack left of the disk in the model `simply-supported` (SPEC, flexibility).
+    /// The loads at a crack left of the disk in the model `simply-supported`: statics of the beam.
     pub fn simply_supported_left(p: &RotorParameters) -> SectionLoads {
+        let right = 1.0 - p.disk_position_ratio;
         SectionLoads {
-            moment_of_force: (1.0 - p.disk_position_ratio)
-                * p.crack_position_ratio
-                * p.shaft_length,
-            shear_of_force: 1.0 - p.disk_position_ratio,
+            moment_of_force: right * p.crack_position_ratio * p.shaft_length,
+            shear_of_force: right,
             moment_of_couple: -p.crack_position_ratio,
             shear_of_couple: -1.0 / p.shaft_length,
         }
     }
 
-    /// The loads at a crack right of the disk in the model `simply-supported` (SPEC, flexibility).
+    /// The loads at a crack right of the disk in the model `simply-supported`: statics of the beam.
     pub fn simply_supported_right(p: &RotorParameters) -> SectionLoads {
+        let left = p.disk_position_ratio;
         SectionLoads {
-            moment_of_force: p.disk_position_ratio
-                * (1.0 - p.crack_position_ratio)
-                * p.shaft_length,
-            shear_of_force: -p.disk_position_ratio,
+            moment_of_force: left * (1.0 - p.crack_position_ratio) * p.shaft_length,
+            shear_of_force: -left,
             moment_of_couple: 1.0 - p.crack_position_ratio,
             shear_of_couple: -1.0 / p.shaft_length,
         }
@@ -305,14 +283,13 @@ mod formulas {
     }
 
     /// Determinant $a_{11}a_{44} - a_{14}^2$ of one plane of Eq. (6) with the crack's compliances `shear` and
-    /// `bending` in that plane, as a sum of positive terms.
+    /// `bending` in that plane: what a crack adds to that of the uncracked shaft, each term ≥ 0.
     pub fn flexibility_determinant(
         f: &ShaftFlexibility,
         s: &SectionLoads,
         shear: f64,
         bending: f64,
     ) -> f64 {
-        let uncracked = f.f11 * f.f44 - f.f14.powi(2);
         let by_moment = f.f44 * s.moment_of_force.powi(2)
             - 2.0 * f.f14 * s.moment_of_force * s.moment_of_couple
             + f.f11 * s.moment_of_couple.powi(2);
@@ -320,7 +297,7 @@ mod formulas {
             - 2.0 * f.f14 * s.shear_of_force * s.shear_of_couple
             + f.f11 * s.shear_of_couple.powi(2);
         let crossed = s.moment_of_force * s.shear_of_couple - s.moment_of_couple * s.shear_of_force;
-        uncracked + bending * by_moment + shear * by_shear + shear * bending * crossed.powi(2)
+        f.determinant + bending * by_moment + shear * by_shear + shear * bending * crossed.powi(2)
     }
 
     /// Stiffness of the cracked shaft, Eq. (10).
@@ -403,7 +380,8 @@ mod formulas {
         transverse(omega) * tilting(omega, speed, c) - c.gamma.powi(2)
     }
 
-    /// Frequency equation of the rotor, Eq. (22) term by term: zero at the frequencies $\omega$, $2\Omega - \omega$ of its motion.
+    /// Frequency equation of the rotor, Eq. (22) term by term: zero at the frequencies $\omega$, $2\Omega - \omega$ of its
+    /// motion. The factors that Eq. (18) prints wrong (E7) are right in it.
     #[generate(value, gradient(omega, speed), hessian(omega, speed), columns)]
     #[specialise(phi_on_sir, omega = speed, generate(value, gradient(speed)))]
     pub fn phi(omega: f64, speed: f64, c: &Coefficients) -> f64 {
@@ -415,9 +393,6 @@ mod formulas {
         let gamma_2 = c.gamma.powi(2);
         let cos_2phi = (2.0 * c.crack_angle).cos();
         let inertia = c.disk_asymmetry * omega * omega_bar;
-        let theta_1 = c.epsilon_1 * gamma_2 - c.epsilon_12 * gamma_2 * (h + h_bar)
-            + c.epsilon_2 * c.delta * h * h_bar;
-        let sigma_1 = c.epsilon_1 * c.epsilon_2 * c.delta - c.epsilon_12.powi(2) * gamma_2;
         f_n(omega, speed, c) * f_n(omega_bar, speed, c)
             - c.epsilon_1.powi(2) * g * g_bar
             - c.epsilon_12.powi(2) * gamma_2 * (h * g_bar + h_bar * g)
@@ -426,10 +401,10 @@ mod formulas {
             + 2.0 * c.epsilon_12 * c.epsilon_2 * gamma_2 * c.delta * (h + h_bar)
             - 2.0 * (c.epsilon_1 * c.epsilon_2 * c.delta + c.epsilon_12.powi(2) * gamma_2) * gamma_2
             - inertia.powi(2) * h * h_bar
-            - 2.0 * inertia * theta_1 * cos_2phi
-            + sigma_1.powi(2)
-            + (c.epsilon_1 * inertia).powi(2)
-            + 2.0 * c.epsilon_1 * inertia * sigma_1 * cos_2phi
+            - 2.0 * inertia * theta_1(omega, speed, c) * cos_2phi
+            + sigma_1(c).powi(2)
+            + sigma_2(omega, speed, c).powi(2)
+            + 2.0 * sigma_2(omega, speed, c) * sigma_1(c) * cos_2phi
     }
 
     /// $\Theta_1$, the crack's part of the excitation, Eq. (25c).
@@ -458,19 +433,18 @@ mod formulas {
     /// $\Gamma$, Eq. (25a).
     #[generate(value)]
     pub fn gamma_excitation(omega: f64, speed: f64, c: &Coefficients) -> f64 {
-        resultant_squared(
-            theta_1(omega, speed, c),
-            theta_2(omega, speed, c),
-            c.crack_angle,
-        )
+        let (crack, disk) = (theta_1(omega, speed, c), theta_2(omega, speed, c));
+        resultant_squared(crack, disk, c.crack_angle)
     }
 
     /// $\Sigma_1$ (E8).
+    #[generate(value)]
     pub fn sigma_1(c: &Coefficients) -> f64 {
         c.epsilon_1 * c.epsilon_2 * c.delta - (c.epsilon_12 * c.gamma).powi(2)
     }
 
     /// $\Sigma_2$ (E8).
+    #[generate(value)]
     pub fn sigma_2(omega: f64, speed: f64, c: &Coefficients) -> f64 {
         c.disk_asymmetry * c.epsilon_1 * omega * (2.0 * speed - omega)
     }
@@ -483,11 +457,24 @@ mod formulas {
 
     // ---- Starts of the regions, Eqs. (15), (16) ---------------------------------------------------
 
+    /// $C = \delta - \gamma^2$, the determinant of the mean stiffness in dimensionless form.
+    pub fn coupled_stiffness(c: &Coefficients) -> f64 {
+        c.delta - c.gamma.powi(2)
+    }
+
+    /// $q^2 + 4(\beta-1)C$ with $q = \beta-1-\delta$, the radicand of Eq. (15), which for $\beta < 1$ is
+    /// $(\beta-1+\delta)^2 + 4(1-\beta)\gamma^2$: here as a sum of positive terms on both sides of 1, so that nothing
+    /// cancels where two whirl frequencies come close.
+    pub fn sir_radicand(c: &Coefficients) -> f64 {
+        let x = c.beta - 1.0;
+        (c.delta - x.abs()).powi(2)
+            + 2.0 * ((x.abs() + x) * coupled_stiffness(c) + (x.abs() - x) * c.gamma.powi(2))
+    }
+
     /// Square of the start of the simple region, Eq. (15) in the form of E9, good for every $0 < \beta \le 2$.
     pub fn sir_start_squared(c: &Coefficients) -> f64 {
-        let coupling = c.delta - c.gamma.powi(2);
         let q = c.beta - 1.0 - c.delta;
-        2.0 * coupling / ((q.powi(2) + 4.0 * (c.beta - 1.0) * coupling).sqrt() - q)
+        2.0 * coupled_stiffness(c) / (sir_radicand(c).sqrt() - q)
     }
 
     /// Start $\Omega_s$ of the simple region, where $\omega_2 = \Omega$, Eq. (15).
@@ -499,28 +486,28 @@ mod formulas {
     /// Start of the second simple region, where $\omega_1 = \Omega$; it exists for $\beta < 1$ (E9).
     #[generate(value)]
     pub fn upper_sir_start(c: &Coefficients) -> f64 {
-        let coupling = c.delta - c.gamma.powi(2);
         let q = c.beta - 1.0 - c.delta;
-        let root = (q.powi(2) + 4.0 * (c.beta - 1.0) * coupling).sqrt();
-        ((root - q) / (2.0 * (1.0 - c.beta))).sqrt()
+        ((sir_radicand(c).sqrt() - q) / (2.0 * (1.0 - c.beta))).sqrt()
+    }
+
+    /// $\sqrt{\beta^2 + 8(2-\beta)C}$, the root within Eq. (16).
+    pub fn cir_root(c: &Coefficients) -> f64 {
+        (c.beta.powi(2) + 8.0 * (2.0 - c.beta) * coupled_stiffness(c)).sqrt()
     }
 
     /// Start $\Omega_c$ of the combination region, where $\omega_1 + \omega_2 = 2\Omega$, Eq. (16); for $\beta < 2$.
     #[generate(value)]
     pub fn cir_start(c: &Coefficients) -> f64 {
-        let coupling = c.delta - c.gamma.powi(2);
         let slack = 2.0 - c.beta;
-        let root = (c.beta.powi(2) + 8.0 * slack * coupling).sqrt();
-        ((c.beta.powi(2) + 4.0 * slack * (1.0 + c.delta) + (4.0 - c.beta) * root) / 8.0).sqrt()
-            / slack
+        let sum = c.beta.powi(2) + 4.0 * slack * (1.0 + c.delta) + (4.0 - c.beta) * cir_root(c);
+        (sum / 8.0).sqrt() / slack
     }
 
-    /// Whirl frequency $\omega_1$ at $\Omega_c$ (E13), without a root finder.
+    /// Whirl frequency $\omega_1$ at $\Omega_c$ without a root finder, from $\omega_1 + \omega_2 = 2\Omega_c$ and
+    /// $\omega_1\omega_2 = (\beta + \sqrt{\beta^2 + 8(2-\beta)C})/(2(2-\beta))$.
     #[generate(value)]
     pub fn cir_omega(c: &Coefficients) -> f64 {
-        let coupling = c.delta - c.gamma.powi(2);
-        let slack = 2.0 - c.beta;
-        let product = (c.beta + (c.beta.powi(2) + 8.0 * slack * coupling).sqrt()) / (2.0 * slack);
+        let product = (c.beta + cir_root(c)) / (2.0 * (2.0 - c.beta));
         let start = cir_start(c);
         start + (start.powi(2) - product).sqrt()
     }
@@ -559,8 +546,10 @@ mod formulas {
         let g = tilting(omega, speed, c);
         let g_bar = tilting(omega_bar, speed, c);
         let inertia = c.disk_asymmetry * omega * omega_bar;
-        let excitation = resultant_squared(crack_excitation(h, g_bar, c), inertia * h, c.crack_angle);
-        let excitation_bar = resultant_squared(crack_excitation(h_bar, g, c), inertia * h_bar, c.crack_angle);
+        let crack = crack_excitation(h, g_bar, c);
+        let crack_bar = crack_excitation(h_bar, g, c);
+        let excitation = resultant_squared(crack, inertia * h, c.crack_angle);
+        let excitation_bar = resultant_squared(crack_bar, inertia * h_bar, c.crack_angle);
         -c.gamma.powi(2) * (excitation + excitation_bar) / (h * g_bar + h_bar * g)
     }
 

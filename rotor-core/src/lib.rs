@@ -15,6 +15,7 @@
 //! | [`zero_unstable_point`] | the crack angle, depth and position that close a region |
 //! | [`stability`] | the exact quartic, Hill's determinant and the monodromy matrix |
 //! | [`quantity`] | every result by its name |
+//! | [`corrections`] | E1 to E13: what differs from the printed text, and why |
 //!
 //! ```
 //! use rotor_core::quantity::Quantity;
@@ -25,6 +26,8 @@
 //! assert!(width > 0.0);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+#[doc = include_str!("corrections.md")]
+pub mod corrections {}
 pub mod equations;
 pub mod quantity;
 pub mod region;
@@ -32,3 +35,8 @@ mod roots;
 pub mod rotor;
 pub mod stability;
 pub mod zero_unstable_point;
+
+/// The examples of README.md, compiled and run as documentation tests.
+#[cfg(doctest)]
+#[doc = include_str!("../../README.md")]
+pub struct Readme;

@@ -9,7 +9,7 @@ use thiserror::Error;
 use crate::equations::{Coefficients, CrackCompliance, Stiffness};
 use crate::region::{self, NoEnds, NoRegion, RegionKind};
 use crate::rotor::{NoCoefficients, Rotor};
-use crate::stability::Ends;
+use crate::stability::{Ends, StabilityError};
 
 /// A result that a rotor has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -189,9 +189,18 @@ pub enum Reason {
     /// It has no such region, or the region no such quantity.
     #[error(transparent)]
     Region(#[from] NoRegion),
-    /// The region has no two exact ends.
+    /// The region has no two exact ends, or they were not found.
     #[error(transparent)]
-    Ends(#[from] NoEnds),
+    Stability(#[from] StabilityError),
+}
+
+impl From<NoEnds> for Reason {
+    fn from(reason: NoEnds) -> Self {
+        match reason {
+            NoEnds::Region(reason) => Self::Region(reason),
+            NoEnds::Stability(reason) => Self::Stability(reason),
+        }
+    }
 }
 
 /// Computes several quantities of one rotor, in the order asked for. What they share (the crack's
@@ -241,11 +250,12 @@ impl<'a> Shared<'a> {
             .get_or_init(|| self.rotor.coefficients_of(&self.stiffness()?))
     }
 
-    fn ends(&self, kind: RegionKind) -> Result<Ends, Reason> {
-        let cell = match kind {
-            RegionKind::Combination => &self.cir_ends,
-            RegionKind::Simple | RegionKind::UpperSimple => &self.sir_ends,
-        };
+    /// The exact ends of the region that the cell is for.
+    fn ends(
+        &self,
+        kind: RegionKind,
+        cell: &OnceCell<Result<Ends, Reason>>,
+    ) -> Result<Ends, Reason> {
         cell.get_or_init(|| Ok(region::exact_ends(kind, &self.coefficients()?)?))
             .clone()
     }
@@ -270,10 +280,10 @@ impl<'a> Shared<'a> {
             Quantity::CirWidth => region::width(Combination, &self.coefficients()?)?,
             Quantity::SirZupAsymmetry => region::zup_asymmetry(Simple, &self.coefficients()?)?,
             Quantity::CirZupAsymmetry => region::zup_asymmetry(Combination, &self.coefficients()?)?,
-            Quantity::SirExactLower => self.ends(Simple)?.lower,
-            Quantity::SirExactUpper => self.ends(Simple)?.upper,
-            Quantity::CirExactLower => self.ends(Combination)?.lower,
-            Quantity::CirExactUpper => self.ends(Combination)?.upper,
+            Quantity::SirExactLower => self.ends(Simple, &self.sir_ends)?.lower,
+            Quantity::SirExactUpper => self.ends(Simple, &self.sir_ends)?.upper,
+            Quantity::CirExactLower => self.ends(Combination, &self.cir_ends)?.lower,
+            Quantity::CirExactUpper => self.ends(Combination, &self.cir_ends)?.upper,
         })
     }
 }

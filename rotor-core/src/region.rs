@@ -8,6 +8,7 @@ use std::fmt;
 use thiserror::Error;
 
 use crate::equations::{self, Coefficients};
+use crate::rotor::{INPUTS, LoadCase, NoCoefficients, Rotor};
 use crate::stability::{self, Ends, StabilityError};
 
 /// The unstable regions a rotor can have on isotropic rigid supports.
@@ -44,6 +45,14 @@ impl RegionKind {
         }
     }
 
+    /// What keeps the whirl frequencies from the region's condition where $\beta$ is too large.
+    const fn why_none(self) -> &'static str {
+        match self {
+            Self::Simple | Self::UpperSimple => "the forward whirl is faster than the rotor",
+            Self::Combination => "the forward whirl is faster than twice the rotor",
+        }
+    }
+
     /// The region exists only for $\beta$ below this.
     const fn inertia_ratio_limit(self) -> Option<f64> {
         match self {
@@ -65,8 +74,8 @@ impl fmt::Display for RegionKind {
 pub enum NoRegion {
     /// The whirl frequencies never meet the region's condition at this inertia ratio.
     #[error(
-        "there is no {} at beta = {beta}; beta must be < {limit}: from there on the forward tilting whirl \
-         is faster than the rotor at every speed", .kind.description()
+        "there is no {} at beta = {beta}; beta must be < {limit}: from there on {} at every speed",
+        .kind.description(), .kind.why_none()
     )]
     InertiaRatio {
         /// The region asked for.
@@ -102,7 +111,7 @@ pub enum NoRegion {
     /// $\gamma = 0$: displacement and tilt are uncoupled, so no disk asymmetry takes part.
     #[error(
         "the {} has no closing disk asymmetry at gamma = 0: displacement and tilt are uncoupled, \
-         its width is 0 for every disk", .kind.description()
+         its width is the same for every disk", .kind.description()
     )]
     Uncoupled {
         /// The region asked for.
@@ -120,6 +129,32 @@ pub enum NoRegion {
     },
 }
 
+/// Why a width has no gradient.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+pub enum NoGradient {
+    /// The rotor has no coefficients in double precision.
+    #[error(transparent)]
+    Coefficients(#[from] NoCoefficients),
+    /// It has no such region.
+    #[error(transparent)]
+    Region(#[from] NoRegion),
+    /// The gradient of this width is not generated.
+    #[error(
+        "the width of the upper simple instability region has no gradient here; those of the simple and of the combination region have one"
+    )]
+    UpperSimple,
+    /// The width is zero, where it has a corner: it grows to all sides.
+    #[error("the partial by {input} of the width of the {} is {value}; it must be a finite number, which it is where the width is not zero", .kind.description())]
+    Corner {
+        /// The region asked for.
+        kind: RegionKind,
+        /// The input.
+        input: &'static str,
+        /// What came out.
+        value: f64,
+    },
+}
+
 /// Start of the region on the axis of speeds, in units of the reference speed, Eqs. (15), (16).
 ///
 /// # Errors
@@ -127,9 +162,9 @@ pub enum NoRegion {
 pub fn start(kind: RegionKind, c: &Coefficients) -> Result<f64, NoRegion> {
     require_region(kind, c)?;
     let start = match kind {
-        RegionKind::Simple => equations::sir_start(c),
-        RegionKind::UpperSimple => equations::upper_sir_start(c),
-        RegionKind::Combination => equations::cir_start(c),
+        RegionKind::Simple => equations::sir_start::value(c),
+        RegionKind::UpperSimple => equations::upper_sir_start::value(c),
+        RegionKind::Combination => equations::cir_start::value(c),
     };
     require_finite(kind, "start", start)
 }
@@ -148,11 +183,45 @@ pub fn width(kind: RegionKind, c: &Coefficients) -> Result<f64, NoRegion> {
     }
     require_growth(kind, c)?;
     let width = match kind {
-        RegionKind::Simple => equations::sir_width(c),
-        RegionKind::UpperSimple => equations::upper_sir_width(c),
-        RegionKind::Combination => equations::cir_width(c),
+        RegionKind::Simple => equations::sir_width::value(c),
+        RegionKind::UpperSimple => equations::upper_sir_width::value(c),
+        RegionKind::Combination => equations::cir_width::value(c),
     };
     require_finite(kind, "width", width)
+}
+
+/// Width $\lambda$ of the simple or the combination region, Eq. (31), in units of the reference speed, and its partials
+/// by the twelve numeric inputs in the order of [`INPUTS`], each in units of the reference speed per unit of the input.
+///
+/// # Errors
+/// Where the rotor has no coefficients or no such region; for the upper simple region, which has no gradient here; and
+/// where the width is zero: there it has a corner, and no gradient.
+pub fn width_gradient(kind: RegionKind, rotor: &Rotor) -> Result<(f64, [f64; 12]), NoGradient> {
+    width(kind, &rotor.coefficients()?)?;
+    let p = rotor.parameters();
+    let edge_factor = p.crack_edge.factor();
+    let gradient = match rotor.load_case() {
+        LoadCase::SupportArm => equations::widths_support_arm::gradient,
+        LoadCase::MidspanArm => equations::widths_midspan_arm::gradient,
+        LoadCase::SimplySupportedLeft => equations::widths_simply_supported_left::gradient,
+        LoadCase::SimplySupportedRight => equations::widths_simply_supported_right::gradient,
+    };
+    let ((simple, combination), [by_simple, by_combination]) = gradient(p, edge_factor);
+    let (width, partials) = match kind {
+        RegionKind::Simple => (simple, by_simple),
+        RegionKind::Combination => (combination, by_combination),
+        RegionKind::UpperSimple => return Err(NoGradient::UpperSimple),
+    };
+    let width = require_finite(kind, "width", width)?;
+    let mut named = INPUTS.iter().zip(partials);
+    match named.find(|(_, partial)| !partial.is_finite()) {
+        None => Ok((width, partials)),
+        Some((input, value)) => Err(NoGradient::Corner {
+            kind,
+            input: input.name,
+            value,
+        }),
+    }
 }
 
 /// Growth rate $\kappa$, in units of the reference speed, at the detuning
@@ -168,9 +237,9 @@ pub fn growth_rate(kind: RegionKind, c: &Coefficients, detuning: f64) -> Result<
     }
     require_growth(kind, c)?;
     let growth = match kind {
-        RegionKind::Simple => equations::sir_growth(detuning, c),
-        RegionKind::UpperSimple => equations::upper_sir_growth(detuning, c),
-        RegionKind::Combination => equations::cir_growth(detuning, c),
+        RegionKind::Simple => equations::sir_growth::value(detuning, c),
+        RegionKind::UpperSimple => equations::upper_sir_growth::value(detuning, c),
+        RegionKind::Combination => equations::cir_growth::value(detuning, c),
     };
     require_finite(kind, "growth rate", growth)
 }
@@ -179,17 +248,21 @@ pub fn growth_rate(kind: RegionKind, c: &Coefficients, detuning: f64) -> Result<
 /// has it: at $\phi = \pi/2$ for a simple region, at $\phi = 0$ for a combination region.
 ///
 /// # Errors
-/// Where the region does not exist, or at $\gamma = 0$ for a combination region.
+/// Where the region does not exist, or where at $\gamma = 0$ the disk's asymmetry takes no part in it: always in
+/// a combination region, in a simple one where that of the transverse motion is meant.
 pub fn zup_asymmetry(kind: RegionKind, c: &Coefficients) -> Result<f64, NoRegion> {
     start(kind, c)?;
     if uncoupled(kind, c) {
         return Err(NoRegion::Uncoupled { kind });
     }
     let asymmetry = match kind {
-        RegionKind::Simple => equations::sir_zup_asymmetry(c),
-        RegionKind::UpperSimple => equations::upper_sir_zup_asymmetry(c),
-        RegionKind::Combination => equations::cir_zup_asymmetry(c),
+        RegionKind::Simple => equations::sir_zup_asymmetry::value(c),
+        RegionKind::UpperSimple => equations::upper_sir_zup_asymmetry::value(c),
+        RegionKind::Combination => equations::cir_zup_asymmetry::value(c),
     };
+    if c.gamma == 0.0 && !asymmetry.is_finite() {
+        return Err(NoRegion::Uncoupled { kind });
+    }
     require_finite(kind, "closing disk asymmetry", asymmetry)
 }
 
@@ -218,7 +291,7 @@ pub fn exact_ends(kind: RegionKind, c: &Coefficients) -> Result<Ends, NoEnds> {
     if kind == RegionKind::Combination {
         return Ok(stability::combination_ends(c, start)?);
     }
-    let ends = simple_ends_ascending(c)?;
+    let ends = stability::simple_region_ends(c)?;
     let simple = simple_pair(&ends, c)?;
     if kind == RegionKind::Simple {
         return Ok(simple);
@@ -238,16 +311,6 @@ pub fn exact_ends(kind: RegionKind, c: &Coefficients) -> Result<Ends, NoEnds> {
     }
 }
 
-/// Every speed at which a simple region ends, ascending.
-fn simple_ends_ascending(c: &Coefficients) -> Result<Vec<f64>, StabilityError> {
-    let (closed, open) = stability::simple_region_ends(c)?;
-    let closed = closed
-        .into_iter()
-        .flatten()
-        .flat_map(|ends| [ends.lower, ends.upper]);
-    Ok(closed.chain(open).collect())
-}
-
 /// The neighbouring ends with no stable speed between them that are nearest to the approximate ends.
 fn simple_pair(ends: &[f64], c: &Coefficients) -> Result<Ends, NoEnds> {
     let start = start(RegionKind::Simple, c)?;
@@ -260,8 +323,7 @@ fn simple_pair(ends: &[f64], c: &Coefficients) -> Result<Ends, NoEnds> {
         let [lower, upper] = *pair else { continue };
         // Between the second and the third end an even number of stiffnesses is negative: stable
         // unless two regions overlap there.
-        let unstable =
-            index % 2 == 0 || stability::growth_rate(c, 0.5 * (lower + upper))? > OVERLAP_GROWTH;
+        let unstable = index % 2 == 0 || stability::growth_rate(c, 0.5 * (lower + upper))? > 0.0;
         let pair = Ends { lower, upper };
         if unstable
             && nearest
@@ -275,37 +337,6 @@ fn simple_pair(ends: &[f64], c: &Coefficients) -> Result<Ends, NoEnds> {
         kind: "simple",
         reason: "no two speeds solve Phi = 0",
     }))
-}
-
-/// Growth rates below this are rounding of a stable motion.
-const OVERLAP_GROWTH: f64 = 1e-6;
-
-/// A region as a report shows it; all in units of the reference speed.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Region {
-    /// Which region.
-    pub kind: RegionKind,
-    /// Where it starts, Eqs. (15), (16).
-    pub start: f64,
-    /// Its width, Eq. (31).
-    pub width: f64,
-    /// Its exact ends, or why there are none (a simple region may reach to infinite speed).
-    pub exact_ends: Result<Ends, NoEnds>,
-}
-
-impl Region {
-    /// Computes the region.
-    ///
-    /// # Errors
-    /// Where the region does not exist.
-    pub fn new(kind: RegionKind, c: &Coefficients) -> Result<Self, NoRegion> {
-        Ok(Self {
-            kind,
-            start: start(kind, c)?,
-            width: width(kind, c)?,
-            exact_ends: exact_ends(kind, c),
-        })
-    }
 }
 
 /// Whether no combination region can be excited because $\gamma = 0$ and with it every coupling.
@@ -326,7 +357,7 @@ fn require_region(kind: RegionKind, c: &Coefficients) -> Result<(), NoRegion> {
     ] {
         require_finite(kind, quantity, value)?;
     }
-    let value = coupled_stiffness(c);
+    let value = equations::coupled_stiffness(c);
     if value <= 0.0 {
         return Err(NoRegion::StiffnessNotPositive {
             delta: c.delta,
@@ -351,8 +382,8 @@ fn require_growth(kind: RegionKind, c: &Coefficients) -> Result<(), NoRegion> {
             (speed, speed, equations::sir_strength(speed, c))
         }
         RegionKind::Combination => {
-            let speed = equations::cir_start(c);
-            let omega = equations::cir_omega(c);
+            let speed = equations::cir_start::value(c);
+            let omega = equations::cir_omega::value(c);
             (omega, speed, equations::cir_strength(omega, speed, c))
         }
     };
@@ -374,11 +405,6 @@ fn require_finite(kind: RegionKind, quantity: &'static str, value: f64) -> Resul
             value,
         })
     }
-}
-
-/// $C = \delta - \gamma^2$, the determinant of the mean stiffness in dimensionless form.
-fn coupled_stiffness(c: &Coefficients) -> f64 {
-    c.gamma.mul_add(-c.gamma, c.delta)
 }
 
 #[cfg(test)]
@@ -407,7 +433,7 @@ mod tests {
             );
         }
         let speed = start(RegionKind::Combination, &COUPLED).unwrap();
-        let omega = equations::cir_omega(&COUPLED);
+        let omega = equations::cir_omega::value(&COUPLED);
         for omega in [omega, 2.0 * speed - omega] {
             assert!(equations::f_n(omega, speed, &COUPLED).abs() < 1e-12);
         }
@@ -504,6 +530,12 @@ mod tests {
                 kind: RegionKind::Combination
             })
         );
+        for epsilon_1 in [0.0, 0.04] {
+            let c = Coefficients { epsilon_1, ..c };
+            let kind = RegionKind::Simple;
+            let reason = zup_asymmetry(kind, &c).unwrap_err();
+            assert_eq!(reason, NoRegion::Uncoupled { kind });
+        }
         // The uncoupled transverse motion is a shaft of two stiffnesses 1 ± epsilon_1.
         let ends = exact_ends(RegionKind::Simple, &c).unwrap();
         assert!((ends.lower - 0.96_f64.sqrt()).abs() < 1e-14, "{ends:?}");
@@ -544,16 +576,10 @@ mod tests {
             ..COUPLED
         };
         for kind in RegionKind::ALL {
-            let region = Region::new(kind, &small).unwrap();
-            let ends = region.exact_ends.unwrap();
-            assert!(
-                (ends.width() - region.width).abs() < 1e-3 * region.width,
-                "{kind}"
-            );
-            assert!(
-                ends.lower < region.start && region.start < ends.upper,
-                "{kind}"
-            );
+            let (start, width) = (start(kind, &small).unwrap(), width(kind, &small).unwrap());
+            let ends = exact_ends(kind, &small).unwrap();
+            assert!((ends.width() - width).abs() < 1e-3 * width, "{kind}");
+            assert!(ends.lower < start && start < ends.upper, "{kind}");
         }
     }
 
@@ -574,5 +600,45 @@ mod tests {
         let ends = exact_ends(RegionKind::Simple, &c).unwrap();
         assert!((ends.lower - 0.8_f64.sqrt()).abs() < 1e-4, "{ends:?}");
         assert!((ends.upper - 1.2_f64.sqrt()).abs() < 1e-4, "{ends:?}");
+    }
+
+    #[test]
+    fn a_gradient_belongs_to_its_width() {
+        let rotor = Rotor::default();
+        let c = rotor.coefficients().unwrap();
+        for kind in [RegionKind::Simple, RegionKind::Combination] {
+            let (value, partials) = width_gradient(kind, &rotor).unwrap();
+            assert!((value / width(kind, &c).unwrap() - 1.0).abs() < 1e-13);
+            for (input, partial) in INPUTS.iter().zip(partials) {
+                let at = |factor: f64| {
+                    let mut parameters = *rotor.parameters();
+                    (input.set)(&mut parameters, (input.get)(rotor.parameters()) * factor);
+                    let c = Rotor::new(parameters).unwrap().coefficients().unwrap();
+                    width(kind, &c).unwrap()
+                };
+                let scaled = partial * (input.get)(rotor.parameters());
+                let expected = (at(1.0 + 1e-5) - at(1.0 - 1e-5)) / 2e-5;
+                assert!((scaled - expected).abs() < 1e-8, "{kind} by {}", input.name);
+            }
+        }
+        let round = rotor.with(|p| (p.disk_asymmetry, p.crack_depth_ratio) = (0.0, 0.0));
+        let reason = width_gradient(RegionKind::Simple, &round.unwrap()).unwrap_err();
+        assert!(matches!(reason, NoGradient::Corner { .. }), "{reason}");
+        let reason = width_gradient(RegionKind::UpperSimple, &rotor).unwrap_err();
+        assert!(matches!(reason, NoGradient::Region(_)), "{reason}");
+    }
+
+    #[test]
+    fn a_start_keeps_its_digits_where_whirl_frequencies_come_close() {
+        let c = Coefficients {
+            beta: 0.6,
+            gamma: 1e-6,
+            delta: 0.4,
+            ..COUPLED
+        };
+        // In 50 digits, from the doubles above.
+        let expected = 0.999_999_209_430_272_5;
+        let found = start(RegionKind::Simple, &c).unwrap();
+        assert!((found / expected - 1.0).abs() < 1e-15, "{found}");
     }
 }

@@ -215,7 +215,10 @@ impl Rotor {
     /// # Errors
     /// Where a compliance is not a finite number ≥ 0.
     pub fn compliance(&self) -> Result<CrackCompliance, NoCoefficients> {
-        let c = equations::crack_compliance::value(&self.parameters, self.parameters.crack_edge.factor());
+        let c = equations::crack_compliance::value(
+            &self.parameters,
+            self.parameters.crack_edge.factor(),
+        );
         let named = [
             ("c11", c.c11),
             ("c22", c.c22),
@@ -266,7 +269,7 @@ impl Rotor {
     }
 
     pub(crate) fn reference_speed_of(&self, k: &Stiffness) -> Result<f64, NoCoefficients> {
-        let speed = equations::reference_speed(&self.parameters, k);
+        let speed = equations::reference_speed::value(&self.parameters, k);
         check(
             &[("reference_speed", speed)],
             |value| value > 0.0,
@@ -276,7 +279,7 @@ impl Rotor {
     }
 
     pub(crate) fn coefficients_of(&self, k: &Stiffness) -> Result<Coefficients, NoCoefficients> {
-        let mut c = equations::coefficients(&self.parameters, k);
+        let mut c = equations::coefficients::value(&self.parameters, k);
         if k.k_tm == 0.0 {
             if k.delta_k_tm != 0.0 {
                 return Err(NoCoefficients::CouplingVanishes {
@@ -300,17 +303,37 @@ impl Rotor {
         Ok(c)
     }
 
-    fn section_loads(&self) -> SectionLoads {
+    /// Which of the load formulas holds for the crack's model and place.
+    pub(crate) fn load_case(&self) -> LoadCase {
         let p = &self.parameters;
         match p.crack_model {
-            CrackModel::SupportArm => equations::support_arm(p),
-            CrackModel::MidspanArm => equations::midspan_arm(p),
+            CrackModel::SupportArm => LoadCase::SupportArm,
+            CrackModel::MidspanArm => LoadCase::MidspanArm,
             CrackModel::SimplySupported if p.crack_position_ratio < p.disk_position_ratio => {
-                equations::simply_supported_left(p)
+                LoadCase::SimplySupportedLeft
             }
-            CrackModel::SimplySupported => equations::simply_supported_right(p),
+            CrackModel::SimplySupported => LoadCase::SimplySupportedRight,
         }
     }
+
+    fn section_loads(&self) -> SectionLoads {
+        let p = &self.parameters;
+        match self.load_case() {
+            LoadCase::SupportArm => equations::support_arm(p),
+            LoadCase::MidspanArm => equations::midspan_arm(p),
+            LoadCase::SimplySupportedLeft => equations::simply_supported_left(p),
+            LoadCase::SimplySupportedRight => equations::simply_supported_right(p),
+        }
+    }
+}
+
+/// The formulas for the loads at the crack's section: one per crack model, two where the side of the disk matters.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum LoadCase {
+    SupportArm,
+    MidspanArm,
+    SimplySupportedLeft,
+    SimplySupportedRight,
 }
 
 fn check(

@@ -25,7 +25,7 @@ pub mod quartic;
 pub mod whirl;
 
 pub use combination::combination_ends;
-pub use ends::{Ends, simple_ends, simple_region_ends};
+pub use ends::{Ends, simple_region_ends};
 pub use error::StabilityError;
 pub use periodic::{Harmonic, PeriodicSystem};
 pub use quartic::{growth_rate, squared_offsets};

@@ -51,7 +51,8 @@ pub fn zup_angle(kind: RegionKind, c: &Coefficients) -> Result<f64, NoRegion> {
 
 /// The depths $\sigma \in (0, 1]$ of the rotor's crack at which the region closes at the crack angle
 /// returned with each, in rising order; empty where there is none. The rotor's own depth and angle do
-/// not matter.
+/// not matter. The search has 128 cells: of two such depths within 1/128, or one at which the closing
+/// asymmetry only touches the disk's, nothing is seen.
 ///
 /// # Errors
 /// Where the region exists at no depth.
@@ -67,7 +68,7 @@ pub fn zup_depth(
 
 /// The positions $l_c/L \in (0, 1)$ of the rotor's crack at which the region closes at the crack
 /// angle returned with each, in rising order; empty where there is none. The rotor's own position and
-/// angle do not matter.
+/// angle do not matter. The search has the resolution of [`zup_depth`].
 ///
 /// # Errors
 /// Where the region exists at no position.

@@ -6,11 +6,14 @@
 )]
 
 use std::f64::consts::{FRAC_PI_2, PI};
+use std::mem::discriminant;
 
 use proptest::prelude::*;
+use rotor_core::equations::{self, Coefficients};
 use rotor_core::quantity::{Quantity, evaluate};
 use rotor_core::region::{self, RegionKind};
 use rotor_core::rotor::{CrackEdge, CrackModel, Rotor, RotorParameters};
+use rotor_core::stability::simple_region_ends;
 use rotor_core::zero_unstable_point::{ZeroUnstablePoint, zup_angle, zup_depth, zup_position};
 
 const SIMPLE_AND_COMBINATION: [RegionKind; 2] = [RegionKind::Simple, RegionKind::Combination];
@@ -87,8 +90,104 @@ fn in_units(rotor: &Rotor, mass: f64, length: f64, time: f64) -> Rotor {
         .expect("every positive number is allowed")
 }
 
+const DIMENSIONLESS: [Quantity; 16] = [
+    Quantity::Beta,
+    Quantity::Gamma,
+    Quantity::Delta,
+    Quantity::Epsilon1,
+    Quantity::Epsilon12,
+    Quantity::Epsilon2,
+    Quantity::SirStart,
+    Quantity::CirStart,
+    Quantity::SirWidth,
+    Quantity::CirWidth,
+    Quantity::SirZupAsymmetry,
+    Quantity::CirZupAsymmetry,
+    Quantity::SirExactLower,
+    Quantity::SirExactUpper,
+    Quantity::CirExactLower,
+    Quantity::CirExactUpper,
+];
+
+/// How many roundings of its [`size`] a quantity may change by in other units: three times the most that 400 000 rotors
+/// showed, which are 7, 39, 86 and 1604. All but one in a hundred stay below 13.
+fn roundings(quantity: Quantity) -> f64 {
+    match quantity {
+        Quantity::Beta | Quantity::Gamma | Quantity::Delta => 21.0,
+        Quantity::Epsilon1 | Quantity::Epsilon12 | Quantity::Epsilon2 => 117.0,
+        Quantity::SirStart | Quantity::CirStart => 258.0,
+        _ => 4812.0,
+    }
+}
+
+/// What a quantity is the sum of, by which the rounding of its terms counts, also where little is left of the sum.
+fn size(quantity: Quantity, value: f64, rotor: &Rotor) -> f64 {
+    let c = rotor.coefficients().expect("common");
+    // gamma is what the crack leaves of the shaft's coupling; without a crack it is sqrt(delta) at most.
+    let coupling = c.delta.sqrt() / c.gamma.abs();
+    // delta - gamma² may be the small difference of the two.
+    let stiffness = c.delta / (c.delta - c.gamma.powi(2));
+    // The variations of the stiffness are entries of one matrix, one of which may be small by chance.
+    let crack = c
+        .epsilon_1
+        .abs()
+        .max(c.epsilon_2.abs())
+        .max(c.epsilon_12.abs() / coupling);
+    let widest = |kind| {
+        let narrowest = zup_angle(kind, &c).expect("exists");
+        width(&with_angle(rotor, narrowest + FRAC_PI_2), kind)
+    };
+    match quantity {
+        Quantity::Gamma => value.abs() * coupling,
+        Quantity::Epsilon1 | Quantity::Epsilon2 => crack,
+        Quantity::Epsilon12 => (crack + value.abs()) * coupling,
+        Quantity::SirStart | Quantity::CirStart => value * stiffness,
+        Quantity::CirExactLower | Quantity::CirExactUpper => value * stiffness,
+        Quantity::SirWidth => widest(RegionKind::Simple) * stiffness * coupling,
+        Quantity::CirWidth => widest(RegionKind::Combination) * stiffness * coupling,
+        Quantity::SirZupAsymmetry => closing(RegionKind::Simple, &c) * stiffness * coupling,
+        Quantity::CirZupAsymmetry => closing(RegionKind::Combination, &c) * stiffness * coupling,
+        // The inverse squares of all ends are eigenvalues of one matrix: the first end's is the largest.
+        Quantity::SirExactLower | Quantity::SirExactUpper => {
+            let first = simple_region_ends(&c).expect("exist")[0];
+            value * stiffness * (value / first).powi(2)
+        }
+        _ => value.abs(),
+    }
+}
+
+/// Eq. (32) with the sizes of its terms.
+fn closing(kind: RegionKind, c: &Coefficients) -> f64 {
+    let speed = region::start(kind, c).expect("exists");
+    let omega = match kind {
+        RegionKind::Combination => equations::cir_omega::value(c),
+        RegionKind::Simple | RegionKind::UpperSimple => speed,
+    };
+    let partner = 2.0 * speed - omega;
+    let (h, h_bar) = (1.0 - omega.powi(2), 1.0 - partner.powi(2));
+    let crack = c.epsilon_1.abs() * c.gamma.powi(2)
+        + c.epsilon_12.abs() * c.gamma.powi(2) * (h.abs() + h_bar.abs())
+        + (c.epsilon_2 * c.delta * h * h_bar).abs();
+    crack / (omega * partner * h * h_bar).abs()
+}
+
+/// The exact ends are compared where the exact width is within 25% of the approximate one. A wider region may run into
+/// others, and the approximation, from which the search for the ends starts, is no guide there.
+fn comparable(quantity: Quantity, rotor: &Rotor) -> bool {
+    use Quantity::{
+        CirExactLower, CirExactUpper, CirWidth, SirExactLower, SirExactUpper, SirWidth,
+    };
+    let [width, lower, upper] = match quantity {
+        SirExactLower | SirExactUpper => [SirWidth, SirExactLower, SirExactUpper],
+        CirExactLower | CirExactUpper => [CirWidth, CirExactLower, CirExactUpper],
+        _ => return true,
+    }
+    .map(|quantity| quantity.evaluate(rotor).expect("exists"));
+    (upper - lower - width).abs() <= 0.25 * width
+}
+
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(48))]
+    #![proptest_config(ProptestConfig { cases: 48, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn half_a_turn_of_the_crack_changes_nothing(rotor in rotor()) {
@@ -112,16 +211,18 @@ proptest! {
 
     #[test]
     fn units_do_not_matter(rotor in rotor(), mass in 1e-3..1e3, length in 1e-3..1e3, time in 1e-3..1e3) {
-        let quantities: Vec<_> = Quantity::ALL
-            .into_iter()
-            .filter(|quantity| (Quantity::Beta as usize..=Quantity::CirStart as usize).contains(&(*quantity as usize)))
-            .collect();
-        let other = in_units(&rotor, mass, length, time);
-        for ((quantity, a), b) in
-            quantities.iter().zip(evaluate(&quantities, &rotor)).zip(evaluate(&quantities, &other))
-        {
-            let (a, b) = (a.expect("common"), b.expect("common"));
-            prop_assert!((a - b).abs() <= 1e-12 * a.abs(), "{quantity}: {a} {b}");
+        let other = evaluate(&DIMENSIONLESS, &in_units(&rotor, mass, length, time));
+        for ((quantity, a), b) in DIMENSIONLESS.into_iter().zip(evaluate(&DIMENSIONLESS, &rotor)).zip(other) {
+            match (a, b) {
+                (Ok(_), Ok(_)) if !comparable(quantity, &rotor) => {}
+                (Ok(a), Ok(b)) => {
+                    let allowed = roundings(quantity) * f64::EPSILON * size(quantity, a, &rotor);
+                    prop_assert!((a - b).abs() <= allowed, "{quantity}: {a} {b}, {allowed:.1e} allowed");
+                }
+                // A simple region may reach to infinite speed, in all units.
+                (Err(a), Err(b)) => prop_assert_eq!(discriminant(&a), discriminant(&b), "{}", quantity),
+                (a, b) => prop_assert!(false, "{quantity}: {a:?} {b:?}"),
+            }
         }
     }
 
@@ -158,7 +259,7 @@ fn closes(
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(12))]
+    #![proptest_config(ProptestConfig { cases: 12, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn the_region_closes_at_every_depth_found(rotor in rotor()) {

@@ -1,4 +1,7 @@
 //! The door to [`codegen`]: one attribute that hands a module's tokens over and hands tokens back.
+//!
+//! The language, what is generated from it and how are described in [`codegen`]; a tutorial is the workspace's
+//! `examples/mathieu`.
 
 use proc_macro::TokenStream;
 
@@ -21,7 +24,40 @@ use proc_macro::TokenStream;
 /// - `#[specialise(name, x = y, generate(…))]` makes the function `name` with `x` replaced.
 /// - `#[approximate(x = 0.0..=1.0, factor = x.powi(2), tolerance = 1e-13)]` tabulates a costly function of one number, or
 ///   one written as `integral(|t| …, a..b)`, when the crate is built.
+///
+/// `#[symbolic(latex(omega_bar = "\\varpi"))]` at the module says how names are typeset by tools that show formulas.
+///
+/// # Example
+///
+/// ```
+/// #[rotor_macros::symbolic]
+/// mod orbit {
+///     /// Distance of a body on an ellipse from the focus, at the eccentric anomaly.
+///     #[generate(gradient(anomaly, eccentricity), columns)]
+///     pub fn distance(axis: f64, eccentricity: f64, anomaly: f64) -> f64 {
+///         axis * (1.0 - eccentricity * anomaly.cos())
+///     }
+///
+///     /// Radial speed over the rate of the anomaly.
+///     #[generate(value)]
+///     pub fn radial_speed(axis: f64, eccentricity: f64, anomaly: f64) -> f64 {
+///         distance::d_anomaly(axis, eccentricity, anomaly)
+///     }
+/// }
+///
+/// let (distance, [by_anomaly, by_eccentricity]) = orbit::distance::gradient(2.0, 0.5, 0.0);
+/// assert_eq!((distance, by_anomaly, by_eccentricity), (1.0, 0.0, -2.0));
+/// assert_eq!(orbit::radial_speed::value(2.0, 0.5, std::f64::consts::FRAC_PI_2), 1.0);
+/// // The formula itself is still there.
+/// assert_eq!(orbit::distance(2.0, 0.5, 0.0), 1.0);
+///
+/// let inputs = orbit::distance::Columns { axis: &[1.0, 2.0], eccentricity: &[0.5, 0.5], anomaly: &[0.0, 0.0] };
+/// let mut distances = [0.0; 2];
+/// orbit::distance::columns(&inputs, [&mut distances])?;
+/// assert_eq!(distances, [0.5, 1.0]);
+/// # Ok::<(), orbit::ColumnLengthError>(())
+/// ```
 #[proc_macro_attribute]
-pub fn symbolic(_attribute: TokenStream, item: TokenStream) -> TokenStream {
-    codegen::expand(item.into()).into()
+pub fn symbolic(attribute: TokenStream, item: TokenStream) -> TokenStream {
+    codegen::expand(attribute.into(), item.into()).into()
 }

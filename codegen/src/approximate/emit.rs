@@ -4,6 +4,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::piecewise::PiecewisePolynomial;
+use crate::emit::literal::float;
 
 impl PiecewisePolynomial {
     /// The function `fn name(x: f64) -> f64` with the same bits as
@@ -103,20 +104,6 @@ fn lookup(inner: &[f64]) -> TokenStream {
         static BREAKPOINTS: [f64; #last] = [#(#breakpoints),*];
         let begun = BREAKPOINTS.iter().map(|&breakpoint| usize::from(x >= breakpoint));
         let piece = begun.sum::<usize>().min(#last);
-    }
-}
-
-/// The shortest literal that reads back to the same bits; a minus sign stands before it.
-fn float(value: f64) -> TokenStream {
-    let magnitude = value.abs();
-    let sign = value.is_sign_negative().then(|| quote!(-));
-    match format!("{magnitude:?}").parse::<Literal>() {
-        Ok(literal) => quote!(#sign #literal),
-        // No literal stands for infinity.
-        Err(_) => {
-            let bits = value.to_bits();
-            quote!(f64::from_bits(#bits))
-        }
     }
 }
 

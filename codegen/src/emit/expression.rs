@@ -3,16 +3,16 @@
 use std::collections::BTreeSet;
 
 use num_traits::{One, Signed};
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
 use quote::{format_ident, quote};
 
 use super::literal;
-use super::namer::{Namer, method, table_function};
+use super::namer::{LONGEST, Namer, method, table_function};
 use crate::factor::circuit::{Circuit, Net, Operation};
 use crate::graph::{Function, Graph, Rational, SymbolId};
 
-/// Expressions of more operations than this are given a name, so that a line stays a line.
-const LARGEST: usize = 7;
+/// The width of a statement without its indentation, so that it stays on a line.
+const WIDEST: usize = 68;
 
 /// How tightly an expression holds together.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -31,13 +31,20 @@ struct Piece {
 
 impl Piece {
     fn atom(tokens: TokenStream) -> Self {
-        Self { tokens, precedence: Precedence::Atom }
+        Self {
+            tokens,
+            precedence: Precedence::Atom,
+        }
     }
 
     /// The tokens, in parentheses where they would fall apart beside an operator.
     fn at_least(self, precedence: Precedence) -> TokenStream {
         let tokens = self.tokens;
-        if self.precedence >= precedence { tokens } else { quote!((#tokens)) }
+        if self.precedence >= precedence {
+            tokens
+        } else {
+            quote!((#tokens))
+        }
     }
 }
 
@@ -65,26 +72,57 @@ impl<'a> Writer<'a> {
         symbol: &'a dyn Fn(SymbolId) -> TokenStream,
         taken: impl IntoIterator<Item = String>,
     ) -> Self {
-        Self { graph, circuit, symbol, namer: Namer::new(taken) }
+        // A temporary of the name of a function would hide it.
+        let tables = circuit
+            .nets()
+            .filter_map(|net| match circuit.operation(net) {
+                Operation::Tabulated { table, order, .. } => {
+                    Some(table_function(graph, *table, *order))
+                }
+                _ => None,
+            });
+        Self {
+            graph,
+            circuit,
+            symbol,
+            namer: Namer::new(taken.into_iter().chain(tables)),
+        }
     }
 
     /// The circuit as statements and results.
     pub fn body(mut self) -> Body {
-        let named = self.named();
+        let frequent = self.frequent();
         let mut statements = Vec::new();
         for net in self.circuit.nets() {
-            if named.contains(&net) {
-                let value = self.operation(net).tokens;
-                let name = self.namer.bind(self.graph, self.circuit, net);
-                statements.push(quote!(let #name = #value;));
+            if self.is_leaf(net) {
+                continue;
+            }
+            let fits = self.shorten(net, &mut statements);
+            if !fits || frequent.contains(&net) {
+                self.state(net, &mut statements);
             }
         }
-        let outputs = self.circuit.outputs.iter().map(|output| self.operand(*output).tokens).collect();
-        Body { statements, outputs }
+        let outputs = self
+            .circuit
+            .outputs
+            .iter()
+            .map(|output| self.operand(*output).tokens)
+            .collect();
+        Body {
+            statements,
+            outputs,
+        }
     }
 
-    /// Which operations get a name: those used twice, those that the author named, and parts of long expressions.
-    fn named(&self) -> BTreeSet<Net> {
+    fn is_leaf(&self, net: Net) -> bool {
+        matches!(
+            self.circuit.operation(net),
+            Operation::Number(_) | Operation::Symbol(_)
+        )
+    }
+
+    /// Which operations get a name however short they are: those used twice, and those that the author named.
+    fn frequent(&self) -> BTreeSet<Net> {
         let mut uses = self.circuit.uses();
         for net in self.circuit.nets() {
             match self.circuit.operation(net) {
@@ -93,42 +131,81 @@ impl<'a> Writer<'a> {
                         uses[operand.index()] += *power as usize - 1;
                     }
                 }
-                // A choice writes an operand that it returns once more beside the comparison.
+                // A choice is a statement of its own.
                 Operation::Apply(Function::Select, _) => uses[net.index()] += 1,
                 _ => {}
             }
         }
-        let mut named = BTreeSet::new();
-        let mut sizes = vec![0_usize; uses.len()];
-        for net in self.circuit.nets() {
-            if matches!(self.circuit.operation(net), Operation::Number(_) | Operation::Symbol(_)) {
-                continue;
+        self.circuit
+            .nets()
+            .filter(|net| uses[net.index()] > 1 || self.circuit.suggested_name(*net).is_some())
+            .collect()
+    }
+
+    /// How wide an operation's expression may be, so that its statement stays on a line.
+    fn room(&self, net: Net) -> usize {
+        let name = self
+            .circuit
+            .suggested_name(net)
+            .map_or(0, str::len)
+            .max(LONGEST);
+        WIDEST.saturating_sub(name).max(LONGEST)
+    }
+
+    /// Names the widest operands of an operation until its expression is short. Whether it is, at the end.
+    fn shorten(&mut self, net: Net, statements: &mut Vec<TokenStream>) -> bool {
+        let room = self.room(net);
+        loop {
+            if width(self.operation(net).tokens) <= room {
+                return true;
             }
-            let operands = self.circuit.operands(net);
-            let inner: usize =
-                operands.iter().filter(|operand| !named.contains(*operand)).map(|operand| sizes[operand.index()]).sum();
-            let own = operands.len().max(1);
-            // The largest operands of a long expression get names of their own.
-            if inner + own > LARGEST {
-                for operand in operands {
-                    if sizes[operand.index()] > 2 {
-                        named.insert(operand);
-                    }
-                }
-            }
-            let inner: usize = self
+            let unnamed = self
                 .circuit
                 .operands(net)
-                .iter()
-                .filter(|operand| !named.contains(*operand))
-                .map(|operand| sizes[operand.index()])
-                .sum();
-            sizes[net.index()] = inner + own;
-            if uses[net.index()] > 1 || self.circuit.suggested_name(net).is_some() {
-                named.insert(net);
-            }
+                .into_iter()
+                .filter(|operand| self.can_be_named(*operand));
+            let widest = unnamed.max_by_key(|operand| {
+                (
+                    width(self.operation(*operand).tokens),
+                    std::cmp::Reverse(*operand),
+                )
+            });
+            let Some(widest) = widest else { return false };
+            self.state(widest, statements);
         }
-        named
+    }
+
+    fn can_be_named(&self, net: Net) -> bool {
+        !self.is_leaf(net) && self.namer.name(net).is_none()
+    }
+
+    /// Binds an operation to a name. A long sum or product is gathered from the left, in as many statements as it takes.
+    fn state(&mut self, net: Net, statements: &mut Vec<TokenStream>) {
+        let room = self.room(net);
+        let (mut gathered, mut links) = (TokenStream::new(), 0);
+        for link in self.chain(net) {
+            // One operand alone is not worth a name.
+            if links > 1 && width(gathered.clone()) + width(link.clone()) > room {
+                let part = self.namer.numbered("part");
+                let part = format_ident!("{part}");
+                statements.push(quote!(let #part = #gathered;));
+                (gathered, links) = (quote!(#part), 1);
+            }
+            gathered.extend(link);
+            links += 1;
+        }
+        let name = self.namer.bind(self.graph, self.circuit, net);
+        statements.push(quote!(let #name = #gathered;));
+    }
+
+    /// An operation as what may stand on lines of its own, one after the other: the terms of a sum with their signs, the
+    /// factors of a product.
+    fn chain(&self, net: Net) -> Vec<TokenStream> {
+        match self.circuit.operation(net) {
+            Operation::Sum(terms) => self.terms(terms),
+            Operation::Product(factors) => self.factors(factors),
+            _ => vec![self.operation(net).tokens],
+        }
     }
 
     /// An operand: its name, or its expression where it has none.
@@ -142,8 +219,15 @@ impl<'a> Writer<'a> {
     fn operation(&self, net: Net) -> Piece {
         match self.circuit.operation(net) {
             Operation::Number(value) => {
-                let precedence = if value.is_negative() { Precedence::Negative } else { Precedence::Atom };
-                Piece { tokens: literal::number(value), precedence }
+                let precedence = if value.is_negative() {
+                    Precedence::Negative
+                } else {
+                    Precedence::Atom
+                };
+                Piece {
+                    tokens: literal::number(value),
+                    precedence,
+                }
             }
             Operation::Symbol(symbol) => Piece::atom((self.symbol)(*symbol)),
             Operation::Sum(terms) => self.sum(terms),
@@ -151,10 +235,17 @@ impl<'a> Writer<'a> {
             Operation::Quotient(numerator, denominator) => {
                 let numerator = self.operand(*numerator).at_least(Precedence::Product);
                 let denominator = self.operand(*denominator).at_least(Precedence::Negative);
-                Piece { tokens: quote!(#numerator / #denominator), precedence: Precedence::Product }
+                Piece {
+                    tokens: quote!(#numerator / #denominator),
+                    precedence: Precedence::Product,
+                }
             }
             Operation::Apply(function, operands) => self.apply(*function, operands),
-            Operation::Tabulated { table, order, argument } => {
+            Operation::Tabulated {
+                table,
+                order,
+                argument,
+            } => {
                 let function = format_ident!("{}", table_function(self.graph, *table, *order));
                 let argument = self.operand(*argument).tokens;
                 Piece::atom(quote!(#function(#argument)))
@@ -162,23 +253,45 @@ impl<'a> Writer<'a> {
         }
     }
 
+    /// The terms of a sum with their signs; a positive one comes first where there is one.
+    fn terms(&self, terms: &[(Net, Rational)]) -> Vec<TokenStream> {
+        let first = terms
+            .iter()
+            .position(|(_, coefficient)| coefficient.is_positive())
+            .unwrap_or(0);
+        let rest = terms
+            .iter()
+            .enumerate()
+            .filter(|(position, _)| *position != first)
+            .map(|(_, term)| term);
+        let ordered = terms.get(first).into_iter().chain(rest).enumerate();
+        ordered
+            .map(|(position, (operand, coefficient))| {
+                let term = self
+                    .term(*operand, &coefficient.abs())
+                    .at_least(Precedence::Product);
+                match (position, coefficient.is_negative()) {
+                    (0, false) => term,
+                    (0, true) => quote!(-#term),
+                    (_, false) => quote!(+ #term),
+                    (_, true) => quote!(- #term),
+                }
+            })
+            .collect()
+    }
+
     fn sum(&self, terms: &[(Net, Rational)]) -> Piece {
-        let first = terms.iter().position(|(_, coefficient)| coefficient.is_positive()).unwrap_or(0);
-        let rest = terms.iter().enumerate().filter(|(position, _)| *position != first).map(|(_, term)| term);
-        let mut tokens = TokenStream::new();
-        for (position, (operand, coefficient)) in terms.get(first).into_iter().chain(rest).enumerate() {
-            let term = self.term(*operand, &coefficient.abs());
-            let precedence = if position == 0 && terms.len() == 1 { Precedence::Product } else { Precedence::Product };
-            let term = term.at_least(precedence);
-            tokens.extend(match (position, coefficient.is_negative()) {
-                (0, false) => term,
-                (0, true) => quote!(-#term),
-                (_, false) => quote!(+ #term),
-                (_, true) => quote!(- #term),
-            });
-        }
+        let tokens = self.terms(terms).into_iter().collect();
         let precedence = match terms {
-            [(_, coefficient)] if coefficient.is_negative() => Precedence::Negative,
+            // Only a name or literal with its sign in front holds together as a divisor.
+            [(operand, coefficient)] if coefficient.is_negative() => {
+                let alone = self.term(*operand, &coefficient.abs()).precedence == Precedence::Atom;
+                if alone {
+                    Precedence::Negative
+                } else {
+                    Precedence::Product
+                }
+            }
             [_] => Precedence::Product,
             _ => Precedence::Sum,
         };
@@ -195,26 +308,45 @@ impl<'a> Writer<'a> {
             return piece;
         }
         let (size, operand) = (literal::number(size), piece.at_least(Precedence::Product));
-        Piece { tokens: quote!(#size * #operand), precedence: Precedence::Product }
+        Piece {
+            tokens: quote!(#size * #operand),
+            precedence: Precedence::Product,
+        }
+    }
+
+    /// The factors of a product, all but the first with the operator in front.
+    fn factors(&self, factors: &[(Net, u32)]) -> Vec<TokenStream> {
+        let repeated = factors
+            .iter()
+            .flat_map(|(operand, power)| std::iter::repeat_n(*operand, *power as usize));
+        repeated
+            .enumerate()
+            .map(|(position, operand)| {
+                // A product or quotient within stays together, as it was counted.
+                let operand = self.operand(operand).at_least(Precedence::Negative);
+                if position == 0 {
+                    operand
+                } else {
+                    quote!(* #operand)
+                }
+            })
+            .collect()
     }
 
     fn product(&self, factors: &[(Net, u32)]) -> Piece {
-        let mut tokens = TokenStream::new();
-        for (operand, power) in factors {
-            for _ in 0..*power {
-                let separator = (!tokens.is_empty()).then(|| quote!(*));
-                // A product or quotient within stays together, as it was counted.
-                let operand = self.operand(*operand).at_least(Precedence::Negative);
-                tokens.extend(quote!(#separator #operand));
-            }
+        Piece {
+            tokens: self.factors(factors).into_iter().collect(),
+            precedence: Precedence::Product,
         }
-        Piece { tokens, precedence: Precedence::Product }
     }
 
     fn apply(&self, function: Function, operands: &[Net]) -> Piece {
         if let (Function::Select, [a, b, x, y]) = (function, operands) {
             let [a, b, x, y] = [a, b, x, y].map(|operand| self.operand(*operand).tokens);
-            return Piece { tokens: quote!(if #a <= #b { #x } else { #y }), precedence: Precedence::Choice };
+            return Piece {
+                tokens: quote!(if #a <= #b { #x } else { #y }),
+                precedence: Precedence::Choice,
+            };
         }
         let name: Option<Ident> = method(function).map(|name| format_ident!("{name}"));
         let mut operands = operands.iter();
@@ -233,4 +365,21 @@ impl<'a> Writer<'a> {
             None => self.operand(net).at_least(Precedence::Atom),
         }
     }
+}
+
+/// How wide tokens are when they are formatted, within a letter or two.
+fn width(tokens: TokenStream) -> usize {
+    tokens
+        .into_iter()
+        .map(|token| match token {
+            TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => {
+                4 + width(group.stream())
+            }
+            TokenTree::Group(group) => 2 + width(group.stream()),
+            TokenTree::Punct(mark) if mark.as_char() == '.' => 1,
+            TokenTree::Punct(mark) if mark.as_char() == ',' => 2,
+            TokenTree::Punct(_) => 3,
+            word => word.to_string().chars().count(),
+        })
+        .sum()
 }

@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use num_traits::Signed;
 use proc_macro2::{Ident, Span};
 
 use crate::factor::circuit::{Circuit, Net, Operation};
@@ -9,7 +10,7 @@ use crate::graph::{Function, Graph, SymbolId};
 use crate::parse::body::identifier;
 
 /// The longest name that is made from others.
-const LONGEST: usize = 28;
+pub const LONGEST: usize = 24;
 
 /// Chooses names and keeps them apart.
 pub struct Namer {
@@ -21,17 +22,26 @@ pub struct Namer {
 impl Namer {
     /// A namer that leaves the given names alone.
     pub fn new(taken: impl IntoIterator<Item = String>) -> Self {
-        Self { taken: taken.into_iter().collect(), names: BTreeMap::new(), counter: BTreeMap::new() }
+        Self {
+            taken: taken.into_iter().collect(),
+            names: BTreeMap::new(),
+            counter: BTreeMap::new(),
+        }
     }
 
     /// The name given to an operation, if it has one.
     pub fn name(&self, net: Net) -> Option<Ident> {
-        self.names.get(&net).map(|name| Ident::new(name, Span::call_site()))
+        self.names
+            .get(&net)
+            .map(|name| Ident::new(name, Span::call_site()))
     }
 
     /// Gives an operation its name.
     pub fn bind(&mut self, graph: &Graph, circuit: &Circuit, net: Net) -> Ident {
-        let wish = circuit.suggested_name(net).map(ToOwned::to_owned).or_else(|| self.describe(graph, circuit, net));
+        let wish = circuit
+            .suggested_name(net)
+            .map(ToOwned::to_owned)
+            .or_else(|| self.describe(graph, circuit, net));
         let name = match wish {
             Some(wish) => self.unique(&wish),
             None => self.numbered(kind(circuit.operation(net))),
@@ -42,6 +52,7 @@ impl Namer {
     }
 
     fn unique(&mut self, wish: &str) -> String {
+        let wish = wish.trim_start_matches("r#");
         let mut name = wish.to_owned();
         let mut attempt = 1;
         while syn::parse_str::<Ident>(&name).is_err() || !self.taken.insert(name.clone()) {
@@ -51,7 +62,8 @@ impl Namer {
         name
     }
 
-    fn numbered(&mut self, kind: &'static str) -> String {
+    /// A name of a kind with a number.
+    pub fn numbered(&mut self, kind: &'static str) -> String {
         let count = self.counter.entry(kind).or_insert(0);
         *count += 1;
         let wish = format!("{kind}_{count}");
@@ -75,13 +87,22 @@ impl Namer {
                 [(x, 1), (y, 1)] => format!("{}_{}", part(*x)?, part(*y)?),
                 _ => return None,
             },
-            Operation::Quotient(numerator, denominator) if circuit.as_number(*numerator).is_some() => {
+            Operation::Quotient(numerator, denominator)
+                if circuit.as_number(*numerator).is_some() =>
+            {
                 format!("inverse_{}", part(*denominator)?)
             }
-            Operation::Quotient(numerator, denominator) => format!("{}_over_{}", part(*numerator)?, part(*denominator)?),
+            Operation::Quotient(numerator, denominator) => {
+                format!("{}_over_{}", part(*numerator)?, part(*denominator)?)
+            }
             Operation::Sum(terms) => match terms.as_slice() {
-                [(x, a), (y, b)] if *a == -b && circuit.as_number(*x).is_none() && circuit.as_number(*y).is_none() => {
-                    format!("{}_minus_{}", part(*x)?, part(*y)?)
+                [(x, a), (y, b)]
+                    if *a == -b
+                        && circuit.as_number(*x).is_none()
+                        && circuit.as_number(*y).is_none() =>
+                {
+                    let (first, second) = if a.is_positive() { (x, y) } else { (y, x) };
+                    format!("{}_minus_{}", part(*first)?, part(*second)?)
                 }
                 _ => return None,
             },
@@ -91,7 +112,17 @@ impl Namer {
                 (function, [x]) => format!("{}_{}", method(*function)?, part(*x)?),
                 _ => return None,
             },
-            Operation::Tabulated { table, order, .. } => table_function(graph, *table, *order),
+            Operation::Tabulated { table, order, .. } => {
+                let name = graph
+                    .tables
+                    .get(*table)
+                    .map_or("", |table| table.name.as_str());
+                if *order == 0 {
+                    format!("{name}_fit")
+                } else {
+                    format!("{name}_fit_{order}")
+                }
+            }
             Operation::Number(_) | Operation::Symbol(_) => return None,
         };
         (name.len() <= LONGEST).then_some(name)
@@ -135,7 +166,10 @@ pub fn method(function: Function) -> Option<&'static str> {
 
 /// Name of the function that evaluates a table's derivative.
 pub fn table_function(graph: &Graph, table: usize, order: usize) -> String {
-    let name = graph.tables.get(table).map_or("", |table| table.name.as_str());
+    let name = graph
+        .tables
+        .get(table)
+        .map_or("", |table| table.name.as_str());
     match order {
         0 => format!("{name}_table"),
         1 => format!("{name}_table_slope"),

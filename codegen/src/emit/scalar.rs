@@ -42,7 +42,10 @@ pub fn symbol_tokens(graph: &Graph, symbol: SymbolId) -> TokenStream {
 
 /// The parameters as the formula declares them.
 pub fn parameters(function: &Function) -> TokenStream {
-    let parameters = function.parameters.iter().map(|Parameter { name, ty, .. }| quote!(#name: #ty));
+    let parameters = function
+        .parameters
+        .iter()
+        .map(|Parameter { name, ty, .. }| quote!(#name: #ty));
     quote!(#(#parameters),*)
 }
 
@@ -63,8 +66,12 @@ pub fn shaped(value: &Value, numbers: &mut impl Iterator<Item = TokenStream>) ->
             let fields: Vec<_> = fields
                 .iter()
                 .map(|(field, value)| {
-                    let (field, value) = (format_ident!("{field}"), shaped(value, numbers));
-                    quote!(#field: #value)
+                    let (name, value) = (format_ident!("{field}"), shaped(value, numbers));
+                    if value.to_string() == *field {
+                        quote!(#name)
+                    } else {
+                        quote!(#name: #value)
+                    }
                 })
                 .collect();
             quote!(#name { #(#fields),* })
@@ -84,8 +91,14 @@ pub fn function(
     documentation: &[String],
 ) -> TokenStream {
     let symbol = |symbol: SymbolId| symbol_tokens(graph, symbol);
-    let taken = function.parameters.iter().map(|parameter| parameter.name.to_string());
-    let Body { statements, outputs } = Writer::new(graph, circuit, &symbol, taken).body();
+    let taken = function
+        .parameters
+        .iter()
+        .map(|parameter| parameter.name.to_string());
+    let Body {
+        statements,
+        outputs,
+    } = Writer::new(graph, circuit, &symbol, taken).body();
     let count = Literal::usize_unsuffixed(value.numbers().len());
     let by_literal = Literal::usize_unsuffixed(by);
     let mut outputs = outputs.into_iter();
@@ -94,17 +107,28 @@ pub fn function(
         syn::ReturnType::Default => quote!(()),
         syn::ReturnType::Type(_, ty) => quote!(#ty),
     };
-    let single = matches!(value, Value::Number(_));
     let (mut types, mut results) = (vec![value_type], vec![values]);
+    let single = matches!(value, Value::Number(_));
+    // One of a kind for a number, an array of them for several.
+    let mut push = |ty: TokenStream, each: Vec<TokenStream>| {
+        types.push(if single { ty } else { quote!([#ty; #count]) });
+        results.push(if single {
+            quote!(#(#each)*)
+        } else {
+            array(each)
+        });
+    };
+    let numbers = 0..value.numbers().len();
     if form >= Form::Gradient {
-        let rows: Vec<TokenStream> = (0..value.numbers().len()).map(|_| array(outputs.by_ref().take(by))).collect();
-        types.push(if single { quote!([f64; #by_literal]) } else { quote!([[f64; #by_literal]; #count]) });
-        results.push(if single { quote!(#(#rows)*) } else { array(rows) });
+        let rows = numbers.clone().map(|_| array(outputs.by_ref().take(by)));
+        push(quote!([f64; #by_literal]), rows.collect());
     }
     if form == Form::Hessian {
-        let matrices: Vec<TokenStream> = (0..value.numbers().len()).map(|_| symmetric(&mut outputs, by)).collect();
-        types.push(if single { quote!([[f64; #by_literal]; #by_literal]) } else { quote!([[[f64; #by_literal]; #by_literal]; #count]) });
-        results.push(if single { quote!(#(#matrices)*) } else { array(matrices) });
+        let matrices = numbers.map(|_| symmetric(&mut outputs, by));
+        push(
+            quote!([[f64; #by_literal]; #by_literal]),
+            matrices.collect(),
+        );
     }
     let (result_type, result) = match (types.as_slice(), results.as_slice()) {
         ([ty], [result]) => (quote!(#ty), quote!(#result)),
@@ -129,11 +153,16 @@ fn array(elements: impl IntoIterator<Item = TokenStream>) -> TokenStream {
 
 /// A symmetric matrix from its upper triangle by rows.
 fn symmetric(outputs: &mut impl Iterator<Item = TokenStream>, size: usize) -> TokenStream {
-    let triangle: Vec<Vec<TokenStream>> =
-        (0..size).map(|row| outputs.by_ref().take(size - row).collect()).collect();
+    let triangle: Vec<Vec<TokenStream>> = (0..size)
+        .map(|row| outputs.by_ref().take(size - row).collect())
+        .collect();
     let entry = |row: usize, column: usize| {
         let (first, second) = (row.min(column), row.max(column));
-        triangle.get(first).and_then(|entries| entries.get(second - first)).cloned().unwrap_or_default()
+        triangle
+            .get(first)
+            .and_then(|entries| entries.get(second - first))
+            .cloned()
+            .unwrap_or_default()
     };
     array((0..size).map(|row| array((0..size).map(|column| entry(row, column)))))
 }

@@ -58,6 +58,11 @@ pub struct Circuit {
 }
 
 impl Circuit {
+    /// Whether another circuit has the same operations in the same order.
+    pub fn is_same(&self, other: &Self) -> bool {
+        self.operations == other.operations && self.outputs == other.outputs
+    }
+
     /// Adds an operation, or finds the equal one.
     pub fn push(&mut self, operation: Operation) -> Net {
         if let Some(&net) = self.index.get(&operation) {
@@ -133,14 +138,25 @@ impl Circuit {
         }
     }
 
-    /// A sum in its simplest form: no zero term, no sum of one term with the coefficient 1.
+    /// A sum in its simplest form: no zero term, no sum of one term with the coefficient 1. Multiples among the operands
+    /// are opened.
     pub fn sum(&mut self, terms: impl IntoIterator<Item = (Net, Rational)>) -> Net {
+        let opened = terms
+            .into_iter()
+            .map(|(operand, coefficient)| match self.operation(operand) {
+                Operation::Sum(inner) if inner.len() == 1 => {
+                    (inner[0].0, &inner[0].1 * coefficient)
+                }
+                _ => (operand, coefficient),
+            })
+            .collect();
+        self.closed_sum(opened)
+    }
+
+    /// The same with multiples among the operands as they are.
+    fn closed_sum(&mut self, terms: Vec<(Net, Rational)>) -> Net {
         let mut collected: BTreeMap<Net, Rational> = BTreeMap::new();
         for (operand, coefficient) in terms {
-            let (operand, coefficient) = match self.operation(operand) {
-                Operation::Sum(inner) if inner.len() == 1 => (inner[0].0, &inner[0].1 * coefficient),
-                _ => (operand, coefficient),
-            };
             *collected.entry(operand).or_insert_with(Rational::zero) += coefficient;
         }
         collected.retain(|_, coefficient| !coefficient.is_zero());
@@ -177,7 +193,12 @@ impl Circuit {
         let mut tidied = Self::default();
         let mut images: Vec<Option<Net>> = vec![None; self.operations.len()];
         // Operands may lie behind their users here, so that this is a depth-first walk with a stack of its own.
-        let mut stack: Vec<(Net, bool)> = self.outputs.iter().rev().map(|output| (*output, false)).collect();
+        let mut stack: Vec<(Net, bool)> = self
+            .outputs
+            .iter()
+            .rev()
+            .map(|output| (*output, false))
+            .collect();
         let uses = self.live_uses();
         while let Some((net, expanded)) = stack.pop() {
             if images[net.index()].is_some() {
@@ -185,7 +206,12 @@ impl Circuit {
             }
             if !expanded {
                 stack.push((net, true));
-                stack.extend(self.operands(net).into_iter().rev().map(|operand| (operand, false)));
+                stack.extend(
+                    self.operands(net)
+                        .into_iter()
+                        .rev()
+                        .map(|operand| (operand, false)),
+                );
                 continue;
             }
             let image = self.image(&mut tidied, net, &images, &uses);
@@ -194,7 +220,11 @@ impl Circuit {
             }
             images[net.index()] = Some(image);
         }
-        tidied.outputs = self.outputs.iter().filter_map(|output| images[output.index()]).collect();
+        tidied.outputs = self
+            .outputs
+            .iter()
+            .filter_map(|output| images[output.index()])
+            .collect();
         *self = tidied;
     }
 
@@ -224,16 +254,32 @@ impl Circuit {
         let image = |operand: &Net| images[operand.index()].unwrap_or(Net(0));
         match self.operation(net) {
             Operation::Sum(terms) => {
-                let terms: Vec<_> = terms.iter().map(|(operand, q)| (image(operand), q.clone())).collect();
-                tidied.sum(terms)
+                let mut opened = Vec::new();
+                for (operand, coefficient) in terms {
+                    match tidied.operation(image(operand)) {
+                        // A multiple that several sums share is an operation of its own.
+                        Operation::Sum(inner)
+                            if inner.len() == 1
+                                && (uses[operand.index()] == 1 || terms.len() == 1) =>
+                        {
+                            opened.push((inner[0].0, &inner[0].1 * coefficient));
+                        }
+                        _ => opened.push((image(operand), coefficient.clone())),
+                    }
+                }
+                tidied.closed_sum(opened)
             }
             Operation::Product(factors) => {
                 let mut opened = Vec::new();
                 for (operand, power) in factors {
                     match tidied.operation(image(operand)) {
-                        // A product that only this one uses is no operation of its own.
-                        Operation::Product(inner) if uses[operand.index()] == 1 => {
-                            opened.extend(inner.iter().map(|(factor, exponent)| (*factor, exponent * power)));
+                        // A product that only this one uses, and once, is no operation of its own; of its powers it is.
+                        Operation::Product(inner) if uses[operand.index()] == 1 && *power == 1 => {
+                            opened.extend(
+                                inner
+                                    .iter()
+                                    .map(|(factor, exponent)| (*factor, exponent * power)),
+                            );
                         }
                         _ => opened.push((image(operand), *power)),
                     }
@@ -243,12 +289,19 @@ impl Circuit {
             Operation::Quotient(numerator, denominator) => {
                 tidied.push(Operation::Quotient(image(numerator), image(denominator)))
             }
-            Operation::Apply(function, operands) => {
-                tidied.push(Operation::Apply(*function, operands.iter().map(image).collect()))
-            }
-            Operation::Tabulated { table, order, argument } => {
-                tidied.push(Operation::Tabulated { table: *table, order: *order, argument: image(argument) })
-            }
+            Operation::Apply(function, operands) => tidied.push(Operation::Apply(
+                *function,
+                operands.iter().map(image).collect(),
+            )),
+            Operation::Tabulated {
+                table,
+                order,
+                argument,
+            } => tidied.push(Operation::Tabulated {
+                table: *table,
+                order: *order,
+                argument: image(argument),
+            }),
             leaf => tidied.push(leaf.clone()),
         }
     }
@@ -279,6 +332,7 @@ impl Circuit {
 
     /// What all operations cost.
     pub fn cost(&self) -> Cost {
-        self.nets().fold(Cost::default(), |cost, net| cost + self.cost_of(net))
+        self.nets()
+            .fold(Cost::default(), |cost, net| cost + self.cost_of(net))
     }
 }

@@ -4,7 +4,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use num_traits::{One, Signed};
+use num_traits::{One, Signed, Zero};
 
 use super::circuit::{Circuit, Net, Operation};
 use crate::graph::Rational;
@@ -35,7 +35,7 @@ pub const ORDERS: [&[Step]; 6] = {
     ]
 };
 
-/// Runs the steps in order.
+/// Runs the steps in order, then divides where an inverse turned out to be multiplied by once.
 pub fn extract(circuit: &mut Circuit, steps: &[Step]) {
     for step in steps {
         match step {
@@ -45,6 +45,127 @@ pub fn extract(circuit: &mut Circuit, steps: &[Step]) {
             Step::Multiples => gather_multiples(circuit),
         }
         circuit.tidy();
+    }
+    divide_by_lone_divisors(circuit);
+    share_multiples(circuit);
+    circuit.tidy();
+}
+
+/// `a·(1/b)` where nothing else uses `1/b` becomes `a/b`, and `a·(1/b)·(1/c)` becomes `a/(b·c)`.
+fn divide_by_lone_divisors(circuit: &mut Circuit) {
+    let uses = circuit.uses();
+    let lone_divisor = |circuit: &Circuit, net: Net| match circuit.operation(net) {
+        Operation::Quotient(one, divisor) if uses[net.index()] == 1 => {
+            circuit.as_number(*one)?.is_one().then_some(*divisor)
+        }
+        _ => None,
+    };
+    for net in circuit.nets() {
+        let (coefficient, factors) = match circuit.operation(net).clone() {
+            Operation::Product(factors) => (Rational::one(), factors),
+            Operation::Sum(terms) => match terms.as_slice() {
+                [(operand, coefficient)] => (coefficient.clone(), vec![(*operand, 1)]),
+                _ => {
+                    divide_in_terms(circuit, net, terms, &lone_divisor);
+                    continue;
+                }
+            },
+            _ => continue,
+        };
+        let (mut numerator, mut denominator) = (Vec::new(), Vec::new());
+        for (factor, power) in factors {
+            match lone_divisor(circuit, factor) {
+                Some(divisor) => denominator.push((divisor, power)),
+                None => numerator.push((factor, power)),
+            }
+        }
+        if denominator.is_empty() {
+            continue;
+        }
+        let numerator = if coefficient.is_one() {
+            circuit.product(numerator)
+        } else {
+            circuit.number(coefficient)
+        };
+        let denominator = circuit.product(denominator);
+        circuit.replace(net, Operation::Quotient(numerator, denominator));
+    }
+}
+
+/// `2·(1/a) + b` becomes `2/a + b`.
+fn divide_in_terms(
+    circuit: &mut Circuit,
+    net: Net,
+    mut terms: Vec<(Net, Rational)>,
+    lone_divisor: &impl Fn(&Circuit, Net) -> Option<Net>,
+) {
+    let mut changed = false;
+    for (operand, coefficient) in &mut terms {
+        let multiple = !coefficient.abs().is_one();
+        if let Some(divisor) = lone_divisor(circuit, *operand).filter(|_| multiple) {
+            let numerator = circuit.number(coefficient.abs());
+            *operand = circuit.push(Operation::Quotient(numerator, divisor));
+            *coefficient = coefficient.signum();
+            changed = true;
+        }
+    }
+    if changed {
+        circuit.replace(net, Operation::Sum(sorted(terms)));
+    }
+}
+
+/// A multiple that several sums have is computed once: `0.5·s − a`, `0.5·s − b`.
+fn share_multiples(circuit: &mut Circuit) {
+    let mut counts: BTreeMap<(Net, Rational), usize> = BTreeMap::new();
+    let multiples = |circuit: &Circuit, net: Net| match circuit.operation(net) {
+        Operation::Sum(terms) => terms.clone(),
+        _ => Vec::new(),
+    };
+    let is_multiple = |circuit: &Circuit, operand: Net, coefficient: &Rational| {
+        !coefficient.abs().is_one() && circuit.as_number(operand).is_none()
+    };
+    for net in circuit.nets() {
+        for (operand, coefficient) in multiples(circuit, net) {
+            if is_multiple(circuit, operand, &coefficient) {
+                *counts.entry((operand, coefficient.abs())).or_insert(0) += 1;
+            }
+        }
+    }
+    let shared = |operand: Net, coefficient: &Rational| {
+        let key = (operand, coefficient.abs());
+        counts
+            .get(&key)
+            .is_some_and(|count| *count > 1)
+            .then_some(key)
+    };
+    let uses = circuit.uses();
+    for net in circuit.nets() {
+        let mut terms = multiples(circuit, net);
+        let alone = terms.len() < 2;
+        for (operand, coefficient) in &mut terms {
+            let of_sum = shared(*operand, coefficient).filter(|_| !alone);
+            if let Some(key) = of_sum {
+                *operand = circuit.push(Operation::Sum(vec![key]));
+                *coefficient = coefficient.signum();
+                continue;
+            }
+            // The multiple of a product is the product with that multiple of a factor.
+            let Operation::Product(mut factors) = circuit.operation(*operand).clone() else {
+                continue;
+            };
+            let of_factor = factors.iter_mut().find_map(|(factor, power)| {
+                let key = shared(*factor, coefficient).filter(|_| *power == 1)?;
+                Some((factor, key))
+            });
+            if let Some((factor, key)) = of_factor.filter(|_| uses[operand.index()] == 1) {
+                *factor = circuit.push(Operation::Sum(vec![key]));
+                *operand = circuit.product(factors);
+                *coefficient = coefficient.signum();
+            }
+        }
+        if !terms.is_empty() {
+            circuit.replace(net, Operation::Sum(sorted(terms)));
+        }
     }
 }
 
@@ -58,21 +179,31 @@ struct Term {
 fn factor_sums(circuit: &mut Circuit) {
     let uses = circuit.uses();
     for net in circuit.nets() {
-        let Operation::Sum(terms) = circuit.operation(net).clone() else { continue };
+        let Operation::Sum(terms) = circuit.operation(net).clone() else {
+            continue;
+        };
         let terms: Vec<Term> = terms
             .into_iter()
             .map(|(operand, coefficient)| {
                 let factors = match circuit.operation(operand) {
-                    Operation::Product(factors) if uses[operand.index()] == 1 => factors.iter().copied().collect(),
+                    Operation::Product(factors) if uses[operand.index()] == 1 => {
+                        factors.iter().copied().collect()
+                    }
                     Operation::Number(value) if value.is_one() => BTreeMap::new(),
                     _ => BTreeMap::from([(operand, 1)]),
                 };
-                Term { coefficient, factors }
+                Term {
+                    coefficient,
+                    factors,
+                }
             })
             .collect();
         let factored = factored(circuit, terms.clone());
         if factored != terms {
-            let terms: Vec<_> = factored.into_iter().map(|term| (product_of(circuit, &term), term.coefficient)).collect();
+            let terms: Vec<_> = factored
+                .into_iter()
+                .map(|term| (product_of(circuit, &term), term.coefficient))
+                .collect();
             circuit.replace(net, Operation::Sum(sorted(terms)));
         }
     }
@@ -90,8 +221,9 @@ fn product_of(circuit: &mut Circuit, term: &Term) -> Net {
 /// The terms with common factors taken out, as long as that saves multiplications.
 fn factored(circuit: &mut Circuit, mut terms: Vec<Term>) -> Vec<Term> {
     while let Some(factor) = best_factor(&terms) {
-        let (with, mut rest): (Vec<Term>, Vec<Term>) =
-            terms.into_iter().partition(|term| term.factors.contains_key(&factor));
+        let (with, mut rest): (Vec<Term>, Vec<Term>) = terms
+            .into_iter()
+            .partition(|term| term.factors.contains_key(&factor));
         let divided = with.into_iter().map(|mut term| {
             match term.factors.get_mut(&factor) {
                 Some(power) if *power > 1 => *power -= 1,
@@ -115,12 +247,21 @@ fn factored(circuit: &mut Circuit, mut terms: Vec<Term>) -> Vec<Term> {
 
 /// A sum as one term: its common rational factor in front.
 fn sum_of(circuit: &mut Circuit, terms: Vec<Term>) -> Term {
-    let first = terms.first().map_or_else(Rational::one, |term| term.coefficient.clone());
-    let common = terms.iter().all(|term| term.coefficient.abs() == first.abs());
+    let first = terms
+        .first()
+        .map_or_else(Rational::one, |term| term.coefficient.clone());
+    let common = terms
+        .iter()
+        .all(|term| term.coefficient.abs() == first.abs());
     let content = if common { first } else { first.signum() };
-    let terms: Vec<_> =
-        terms.into_iter().map(|term| (product_of(circuit, &term), term.coefficient / &content)).collect();
-    Term { factors: BTreeMap::from([(circuit.sum(terms), 1)]), coefficient: content }
+    let terms: Vec<_> = terms
+        .into_iter()
+        .map(|term| (product_of(circuit, &term), term.coefficient / &content))
+        .collect();
+    Term {
+        factors: BTreeMap::from([(circuit.sum(terms), 1)]),
+        coefficient: content,
+    }
 }
 
 /// The factor that most terms share, if taking it out saves a multiplication.
@@ -150,7 +291,10 @@ struct Pairs<K> {
 
 impl<K: Ord + Clone> Pairs<K> {
     fn new() -> Self {
-        Self { counts: BTreeMap::new(), places: BTreeMap::new() }
+        Self {
+            counts: BTreeMap::new(),
+            places: BTreeMap::new(),
+        }
     }
 
     fn add(&mut self, place: Net, pairs: &BTreeMap<K, usize>) {
@@ -181,7 +325,15 @@ impl<K: Ord + Clone> Pairs<K> {
             .iter()
             .filter(|(_, count)| **count >= 2)
             .max_by(|(left, a), (right, b)| a.cmp(b).then_with(|| right.cmp(left)))?;
-        Some((pair.clone(), self.places.get(pair).into_iter().flatten().copied().collect()))
+        Some((
+            pair.clone(),
+            self.places
+                .get(pair)
+                .into_iter()
+                .flatten()
+                .copied()
+                .collect(),
+        ))
     }
 }
 
@@ -191,7 +343,9 @@ fn factor_pairs(factors: &BTreeMap<Net, u32>) -> BTreeMap<(Net, Net), usize> {
         if *power_a >= 2 {
             pairs.insert((*a, *a), (*power_a / 2) as usize);
         }
-        for (b, power_b) in factors.range((std::ops::Bound::Excluded(*a), std::ops::Bound::Unbounded)) {
+        for (b, power_b) in
+            factors.range((std::ops::Bound::Excluded(*a), std::ops::Bound::Unbounded))
+        {
             pairs.insert((*a, *b), *power_a.min(power_b) as usize);
         }
     }
@@ -211,7 +365,9 @@ fn share_products(circuit: &mut Circuit) {
     while let Some(((a, b), places)) = pairs.best() {
         let shared = circuit.product([(a, 1), (b, 1)]);
         for place in places {
-            let Some(factors) = members.get_mut(&place) else { continue };
+            let Some(factors) = members.get_mut(&place) else {
+                continue;
+            };
             pairs.remove(place, &factor_pairs(factors));
             if place == shared {
                 // The shared product itself is not taken apart any further.
@@ -228,8 +384,13 @@ fn share_products(circuit: &mut Circuit) {
 
 /// Replaces a·b by one factor, as often as it occurs.
 fn take_pair(factors: &mut BTreeMap<Net, u32>, a: Net, b: Net, shared: Net) {
-    let available = |factors: &BTreeMap<Net, u32>, net: Net| factors.get(&net).copied().unwrap_or(0);
-    let times = if a == b { available(factors, a) / 2 } else { available(factors, a).min(available(factors, b)) };
+    let available =
+        |factors: &BTreeMap<Net, u32>, net: Net| factors.get(&net).copied().unwrap_or(0);
+    let times = if a == b {
+        available(factors, a) / 2
+    } else {
+        available(factors, a).min(available(factors, b))
+    };
     for net in [a, b] {
         if let Some(power) = factors.get_mut(&net) {
             *power -= times;
@@ -245,7 +406,8 @@ type TermPair = (Net, Net, Rational);
 fn term_pairs(terms: &BTreeMap<Net, Rational>) -> BTreeMap<TermPair, usize> {
     let mut pairs = BTreeMap::new();
     for (a, first) in terms {
-        for (b, second) in terms.range((std::ops::Bound::Excluded(*a), std::ops::Bound::Unbounded)) {
+        for (b, second) in terms.range((std::ops::Bound::Excluded(*a), std::ops::Bound::Unbounded))
+        {
             pairs.insert((*a, *b, second / first), 1);
         }
     }
@@ -265,15 +427,23 @@ fn share_sums(circuit: &mut Circuit) {
     while let Some(((a, b, ratio), places)) = pairs.best() {
         let shared = circuit.sum([(a, Rational::one()), (b, ratio)]);
         for place in places {
-            let Some(terms) = members.get_mut(&place) else { continue };
+            let Some(terms) = members.get_mut(&place) else {
+                continue;
+            };
             pairs.remove(place, &term_pairs(terms));
             if place == shared {
                 members.remove(&place);
                 continue;
             }
-            let Some(coefficient) = terms.remove(&a) else { continue };
+            let Some(coefficient) = terms.remove(&a) else {
+                continue;
+            };
             terms.remove(&b);
-            terms.insert(shared, coefficient);
+            // The shared sum may be a term of this one already.
+            let known = terms.remove(&shared).unwrap_or_else(Rational::zero);
+            if coefficient != -&known {
+                terms.insert(shared, coefficient + known);
+            }
             pairs.add(place, &term_pairs(terms));
             circuit.replace(place, Operation::Sum(terms.clone().into_iter().collect()));
         }
@@ -282,14 +452,19 @@ fn share_sums(circuit: &mut Circuit) {
 
 fn gather_multiples(circuit: &mut Circuit) {
     for net in circuit.nets() {
-        let Operation::Sum(terms) = circuit.operation(net).clone() else { continue };
+        let Operation::Sum(terms) = circuit.operation(net).clone() else {
+            continue;
+        };
         let mut groups: BTreeMap<Rational, Vec<(Net, Rational)>> = BTreeMap::new();
         let mut gathered = Vec::new();
         for (operand, coefficient) in terms {
             if coefficient.abs().is_one() || circuit.as_number(operand).is_some() {
                 gathered.push((operand, coefficient));
             } else {
-                groups.entry(coefficient.abs()).or_default().push((operand, coefficient));
+                groups
+                    .entry(coefficient.abs())
+                    .or_default()
+                    .push((operand, coefficient));
             }
         }
         if groups.values().all(|group| group.len() < 2) {
@@ -300,9 +475,15 @@ fn gather_multiples(circuit: &mut Circuit) {
                 gathered.extend(group);
                 continue;
             }
-            let sign = group.first().map_or_else(Rational::one, |(_, coefficient)| coefficient.signum());
+            let sign = group
+                .first()
+                .map_or_else(Rational::one, |(_, coefficient)| coefficient.signum());
             let scale = &size * &sign;
-            let inner = circuit.sum(group.into_iter().map(|(operand, coefficient)| (operand, coefficient / &scale)));
+            let inner = circuit.sum(
+                group
+                    .into_iter()
+                    .map(|(operand, coefficient)| (operand, coefficient / &scale)),
+            );
             gathered.push((inner, scale));
         }
         circuit.replace(net, Operation::Sum(sorted(gathered)));

@@ -74,7 +74,14 @@ impl Residue {
             let scaled = self.times(Self(denominator.unsigned_abs()));
             let size = scaled.0.min(PRIME - scaled.0);
             let numerator = i64::try_from(size).ok().filter(|size| *size <= 64)?;
-            Some((if scaled.0 == size { numerator } else { -numerator }, denominator))
+            Some((
+                if scaled.0 == size {
+                    numerator
+                } else {
+                    -numerator
+                },
+                denominator,
+            ))
         })
     }
 }
@@ -93,7 +100,11 @@ pub type Fingerprint = [Residue; 2];
 /// The fingerprint with its sign dropped, and whether it was negated for that.
 pub fn without_sign(fingerprint: Fingerprint) -> (Fingerprint, bool) {
     let negated = fingerprint.map(Residue::negative);
-    if negated < fingerprint { (negated, true) } else { (fingerprint, false) }
+    if negated < fingerprint {
+        (negated, true)
+    } else {
+        (fingerprint, false)
+    }
 }
 
 /// The value of a symbol at a point.
@@ -102,29 +113,62 @@ pub fn symbol_at(symbol: SymbolId, point: u64) -> Residue {
 }
 
 /// The value of a node at a point from the values of its operands.
-pub fn node_at(graph: &Graph, id: ExprId, point: u64, value: impl Fn(ExprId) -> Residue) -> Residue {
+pub fn node_at(
+    graph: &Graph,
+    id: ExprId,
+    point: u64,
+    value: impl Fn(ExprId) -> Residue,
+) -> Residue {
     let drawn = |kind: u64, operands: &[ExprId]| {
-        let start = scramble(kind.wrapping_mul(0x0001_0000_0001) ^ point.wrapping_mul(0xD6E8_FEB8_6659_FD93));
-        Residue(operands.iter().fold(start, |seed, operand| scramble(seed ^ value(*operand).0)))
+        let start = scramble(
+            kind.wrapping_mul(0x0001_0000_0001) ^ point.wrapping_mul(0xD6E8_FEB8_6659_FD93),
+        );
+        Residue(
+            operands
+                .iter()
+                .fold(start, |seed, operand| scramble(seed ^ value(*operand).0)),
+        )
     };
     match graph.node(id) {
         Node::Number(number) => Residue::rational(number),
         Node::Constant(constant) => drawn(1000 + *constant as u64, &[]),
         Node::Symbol(symbol) => symbol_at(*symbol, point),
-        Node::Sum(terms) => terms.iter().fold(Residue::ZERO, |sum, (operand, coefficient)| {
-            sum.plus(value(*operand).times(Residue::rational(coefficient)))
-        }),
-        Node::Product(factors) => factors.iter().fold(Residue::ONE, |product, (operand, exponent)| {
-            let base = if *exponent < 0 { value(*operand).inverse() } else { value(*operand) };
-            product.times(base.power(u64::from(exponent.unsigned_abs())))
-        }),
+        Node::Sum(terms) => terms
+            .iter()
+            .fold(Residue::ZERO, |sum, (operand, coefficient)| {
+                sum.plus(value(*operand).times(Residue::rational(coefficient)))
+            }),
+        Node::Product(factors) => {
+            factors
+                .iter()
+                .fold(Residue::ONE, |product, (operand, exponent)| {
+                    let base = match value(*operand) {
+                        // A division by zero is no number, least of all zero.
+                        Residue::ZERO if *exponent < 0 => drawn(3_000_000, &[]),
+                        divisor if *exponent < 0 => divisor.inverse(),
+                        factor => factor,
+                    };
+                    product.times(base.power(u64::from(exponent.unsigned_abs())))
+                })
+        }
         Node::Apply(function, operands) => drawn(1 + *function as u64, operands),
-        Node::Tabulated { table, order, argument } => {
-            drawn(2000 + 64 * (*table as u64) + (*order as u64), std::slice::from_ref(argument))
-        }
-        Node::Integral { variable, integrand, lower, upper } => {
-            drawn(1_000_000 + variable.index() as u64, &[*integrand, *lower, *upper])
-        }
+        Node::Tabulated {
+            table,
+            order,
+            argument,
+        } => drawn(
+            2000 + 64 * (*table as u64) + (*order as u64),
+            std::slice::from_ref(argument),
+        ),
+        Node::Integral {
+            variable,
+            integrand,
+            lower,
+            upper,
+        } => drawn(
+            1_000_000 + variable.index() as u64,
+            &[*integrand, *lower, *upper],
+        ),
     }
 }
 
@@ -153,6 +197,9 @@ mod tests {
         let third = Residue::rational(&ratio(-1, 3));
         assert_eq!(third.times(Residue::rational(&ratio(-3, 1))), Residue::ONE);
         assert_eq!(third.as_fraction(), Some((-1, 3)));
-        assert_eq!(Residue::rational(&ratio(7, 2)).plus(Residue::rational(&ratio(-7, 2))), Residue::ZERO);
+        assert_eq!(
+            Residue::rational(&ratio(7, 2)).plus(Residue::rational(&ratio(-7, 2))),
+            Residue::ZERO
+        );
     }
 }

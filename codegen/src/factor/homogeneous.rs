@@ -18,7 +18,9 @@ pub fn rebuild_values(graph: &mut Graph, outputs: &Outputs) -> Option<Vec<ExprId
     let mut found = false;
     for (position, gradient) in outputs.gradients.iter().enumerate() {
         let value = *outputs.values.get(position)?;
-        let Some(weights) = weights(graph, outputs, value, gradient) else { continue };
+        let Some(weights) = weights(graph, outputs, value, gradient) else {
+            continue;
+        };
         let mut terms = Vec::new();
         for (index, weight) in weights {
             let symbol = graph.symbol_expression(*outputs.by.get(index)?);
@@ -31,14 +33,20 @@ pub fn rebuild_values(graph: &mut Graph, outputs: &Outputs) -> Option<Vec<ExprId
 }
 
 /// The shortest list of weights, by position among the partials.
-fn weights(graph: &Graph, outputs: &Outputs, value: ExprId, gradient: &[ExprId]) -> Option<Vec<(usize, Rational)>> {
+fn weights(
+    graph: &Graph,
+    outputs: &Outputs,
+    value: ExprId,
+    gradient: &[ExprId],
+) -> Option<Vec<(usize, Rational)>> {
     let points = MOST_TERMS + 2;
     let roots: Vec<ExprId> = gradient.iter().copied().chain([value]).collect();
     let mut columns: Vec<Vec<Residue>> = vec![Vec::new(); gradient.len()];
     let mut target = Vec::new();
     for point in 0..points as u64 {
         let at = all_at(graph, &roots, 100 + point);
-        for (column, (partial, symbol)) in columns.iter_mut().zip(gradient.iter().zip(&outputs.by)) {
+        for (column, (partial, symbol)) in columns.iter_mut().zip(gradient.iter().zip(&outputs.by))
+        {
             column.push(at[partial.index()].times(symbol_at(*symbol, 100 + point)));
         }
         target.push(at[value.index()]);
@@ -55,9 +63,17 @@ fn weights(graph: &Graph, outputs: &Outputs, value: ExprId, gradient: &[ExprId])
         subsets(&useful, size).into_iter().find_map(|subset| {
             let chosen: Vec<&Vec<Residue>> = subset.iter().map(|i| &columns[*i]).collect();
             let weights = solve(&chosen, &target)?;
-            let fractions = weights.iter().map(|weight| weight.as_fraction().filter(|(n, _)| *n != 0));
+            let fractions = weights
+                .iter()
+                .map(|weight| weight.as_fraction().filter(|(n, _)| *n != 0));
             let fractions: Option<Vec<(i64, i64)>> = fractions.collect();
-            Some(subset.iter().copied().zip(fractions?.into_iter().map(|(n, d)| ratio(n, d))).collect())
+            Some(
+                subset
+                    .iter()
+                    .copied()
+                    .zip(fractions?.into_iter().map(|(n, d)| ratio(n, d)))
+                    .collect(),
+            )
         })
     })
 }
@@ -67,7 +83,12 @@ fn divisions(graph: &Graph, roots: &[ExprId]) -> BTreeSet<ExprId> {
     let mut divisors = BTreeSet::new();
     for id in graph.reachable(roots) {
         if let Node::Product(factors) = graph.node(id) {
-            divisors.extend(factors.iter().filter(|(_, exponent)| *exponent < 0).map(|(factor, _)| *factor));
+            divisors.extend(
+                factors
+                    .iter()
+                    .filter(|(_, exponent)| *exponent < 0)
+                    .map(|(factor, _)| *factor),
+            );
         }
     }
     divisors
@@ -77,7 +98,9 @@ fn subsets(items: &[usize], size: usize) -> Vec<Vec<usize>> {
     if size == 0 {
         return vec![Vec::new()];
     }
-    let Some((first, rest)) = items.split_first() else { return Vec::new() };
+    let Some((first, rest)) = items.split_first() else {
+        return Vec::new();
+    };
     let mut with: Vec<Vec<usize>> = subsets(rest, size - 1);
     for subset in &mut with {
         subset.insert(0, *first);
@@ -90,13 +113,22 @@ fn subsets(items: &[usize], size: usize) -> Vec<Vec<usize>> {
 fn solve(columns: &[&Vec<Residue>], target: &[Residue]) -> Option<Vec<Residue>> {
     let unknowns = columns.len();
     let mut rows: Vec<Vec<Residue>> = (0..target.len())
-        .map(|row| columns.iter().map(|column| column[row]).chain([target[row]]).collect())
+        .map(|row| {
+            columns
+                .iter()
+                .map(|column| column[row])
+                .chain([target[row]])
+                .collect()
+        })
         .collect();
     for pivot in 0..unknowns {
         let found = (pivot..rows.len()).find(|row| rows[*row][pivot] != Residue::ZERO)?;
         rows.swap(pivot, found);
         let inverse = rows[pivot][pivot].inverse();
-        let scaled: Vec<Residue> = rows[pivot].iter().map(|residue| residue.times(inverse)).collect();
+        let scaled: Vec<Residue> = rows[pivot]
+            .iter()
+            .map(|residue| residue.times(inverse))
+            .collect();
         for (row, entries) in rows.iter_mut().enumerate() {
             let factor = entries[pivot].negative();
             if row == pivot || factor == Residue::ZERO {
@@ -108,6 +140,8 @@ fn solve(columns: &[&Vec<Residue>], target: &[Residue]) -> Option<Vec<Residue>> 
         }
         rows[pivot] = scaled;
     }
-    let consistent = rows[unknowns..].iter().all(|row| row[unknowns] == Residue::ZERO);
+    let consistent = rows[unknowns..]
+        .iter()
+        .all(|row| row[unknowns] == Residue::ZERO);
     consistent.then(|| rows[..unknowns].iter().map(|row| row[unknowns]).collect())
 }

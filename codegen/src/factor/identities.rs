@@ -13,7 +13,9 @@ const MOST_TERMS: usize = 10;
 pub fn merge(graph: &Graph, roots: &[ExprId]) -> (Graph, Vec<ExprId>) {
     let mut target = Graph::with_symbols_of(graph);
     let mut merger = Merger::default();
-    let roots = graph.rebuild(&mut target, roots, |target, _, image| merger.representative(target, image));
+    let roots = graph.rebuild(&mut target, roots, |target, _, image| {
+        merger.representative(target, image)
+    });
     (target, roots)
 }
 
@@ -35,7 +37,11 @@ impl Merger {
         let known = &self.fingerprints;
         let value = |point: usize| {
             node_at(graph, id, point as u64, |operand| {
-                known.get(operand.index()).copied().flatten().map_or(Residue::ZERO, |fingerprint| fingerprint[point])
+                known
+                    .get(operand.index())
+                    .copied()
+                    .flatten()
+                    .map_or(Residue::ZERO, |fingerprint| fingerprint[point])
             })
         };
         let fingerprint = [value(0), value(1)];
@@ -53,7 +59,11 @@ impl Merger {
         }
         let (unsigned, negated) = without_sign(fingerprint);
         if let Some(&(known, known_negated)) = self.known.get(&unsigned) {
-            return if negated == known_negated { known } else { graph.negate(known) };
+            return if negated == known_negated {
+                known
+            } else {
+                graph.negate(known)
+            };
         }
         let short = self.shorten(graph, id);
         // A rational multiple is no node of its own: what it is a multiple of has been entered already.
@@ -66,7 +76,9 @@ impl Merger {
 
     /// A sum of which one part equals another, or its negative: that part is counted twice, or both are dropped.
     fn shorten(&mut self, graph: &mut Graph, id: ExprId) -> ExprId {
-        let Node::Sum(terms) = graph.node(id).clone() else { return id };
+        let Node::Sum(terms) = graph.node(id).clone() else {
+            return id;
+        };
         if !(3..=MOST_TERMS).contains(&terms.len()) {
             return id;
         }
@@ -74,10 +86,13 @@ impl Merger {
             .iter()
             .map(|(operand, coefficient)| {
                 let scale = Residue::rational(coefficient);
-                self.fingerprint(graph, *operand).map(|residue| residue.times(scale))
+                self.fingerprint(graph, *operand)
+                    .map(|residue| residue.times(scale))
             })
             .collect();
-        let Some((kept, dropped, same_sign)) = equal_parts(&values) else { return id };
+        let Some((kept, dropped, same_sign)) = equal_parts(&values) else {
+            return id;
+        };
         let mut shortened: Vec<(ExprId, Rational)> = Vec::new();
         for (position, (operand, coefficient)) in terms.into_iter().enumerate() {
             let bit = 1_usize << position;
@@ -106,9 +121,18 @@ fn equal_parts(values: &[Fingerprint]) -> Option<(usize, usize, bool)> {
         let (unsigned, negated) = without_sign(sums[set]);
         let equals = by_sum.entry(unsigned).or_default();
         for (other, other_negated) in equals.iter().filter(|(other, _)| other & set == 0) {
-            let (kept, dropped) = if other.count_ones() <= set.count_ones() { (*other, set) } else { (set, *other) };
+            let (kept, dropped) = if other.count_ones() <= set.count_ones() {
+                (*other, set)
+            } else {
+                (set, *other)
+            };
             let saves = |candidate: (usize, usize, bool)| {
-                candidate.1.count_ones() + if candidate.2 { 0 } else { candidate.0.count_ones() }
+                candidate.1.count_ones()
+                    + if candidate.2 {
+                        0
+                    } else {
+                        candidate.0.count_ones()
+                    }
             };
             let candidate = (kept, dropped, negated == *other_negated);
             if best.is_none_or(|best| saves(candidate) > saves(best)) {

@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use num_bigint::BigInt;
+use num_integer::Integer;
 use num_traits::{One, Pow, Signed, Zero};
 
 use super::circuit::{Circuit, Net, Operation};
@@ -14,8 +15,12 @@ const CONSTANT_DIGITS: u32 = 60;
 
 /// The circuit of the roots as they stand, without any extraction.
 pub fn lower(graph: &Graph, roots: &[ExprId]) -> Circuit {
-    let mut lowering =
-        Lowering { graph, circuit: Circuit::default(), values: vec![None; graph.len()], inverted: shared_divisors(graph, roots) };
+    let mut lowering = Lowering {
+        graph,
+        circuit: Circuit::default(),
+        values: vec![None; graph.len()],
+        inverted: shared_divisors(graph, roots),
+    };
     for id in graph.reachable(roots) {
         let value = lowering.value(id);
         if let Some(name) = graph.suggested_name(id)
@@ -25,7 +30,14 @@ pub fn lower(graph: &Graph, roots: &[ExprId]) -> Circuit {
         }
         lowering.values[id.index()] = Some(value);
     }
-    let outputs = roots.iter().map(|root| lowering.net(*root)).collect();
+    let mut outputs = Vec::new();
+    for root in roots {
+        let net = lowering.net(*root);
+        if let Some(name) = graph.suggested_name(*root) {
+            lowering.circuit.suggest_name(net, name);
+        }
+        outputs.push(net);
+    }
     lowering.circuit.outputs = outputs;
     lowering.circuit.tidy();
     lowering.circuit
@@ -73,13 +85,24 @@ impl Lowering<'_> {
         match self.graph.node(id) {
             Node::Number(value) => (value.clone(), self.one()),
             Node::Constant(constant) => (digits_of(*constant), self.one()),
-            Node::Symbol(symbol) => (Rational::one(), self.circuit.push(Operation::Symbol(*symbol))),
+            Node::Symbol(symbol) => (
+                Rational::one(),
+                self.circuit.push(Operation::Symbol(*symbol)),
+            ),
             Node::Sum(terms) => self.sum(terms),
             Node::Product(factors) => self.product(factors),
             Node::Apply(function, operands) => self.apply(*function, operands),
-            Node::Tabulated { table, order, argument } => {
+            Node::Tabulated {
+                table,
+                order,
+                argument,
+            } => {
                 let argument = self.net(*argument);
-                let operation = Operation::Tabulated { table: *table, order: *order, argument };
+                let operation = Operation::Tabulated {
+                    table: *table,
+                    order: *order,
+                    argument,
+                };
                 (Rational::one(), self.circuit.push(operation))
             }
             // Integrals were refused before anything is lowered.
@@ -101,9 +124,14 @@ impl Lowering<'_> {
             [(_, first), ..] => (first.clone(), terms),
         };
         // A factor common to all terms is taken out: one multiplication for all.
-        let common = terms.iter().all(|(_, coefficient)| coefficient.abs() == first.abs());
+        let common = terms
+            .iter()
+            .all(|(_, coefficient)| coefficient.abs() == first.abs());
         let content = if common { first.abs() } else { Rational::one() };
-        let scaled: Vec<_> = terms.into_iter().map(|(net, coefficient)| (net, coefficient / &content)).collect();
+        let scaled: Vec<_> = terms
+            .into_iter()
+            .map(|(net, coefficient)| (net, coefficient / &content))
+            .collect();
         (content, self.circuit.sum(scaled))
     }
 
@@ -112,9 +140,24 @@ impl Lowering<'_> {
         let mut numerator = Vec::new();
         let mut denominator = Vec::new();
         let mut divisors = Vec::new();
-        for (factor, exponent) in factors {
+        let (quotient, power, factors) = power_of_quotient(factors);
+        if power > 1 {
+            let (inner, net) = self.product(&quotient);
+            coefficient *= inner.pow(power);
+            numerator.push((net, power));
+        }
+        for (factor, exponent) in &factors {
             let (inner, net) = self.multiple(*factor);
+            if inner.is_zero() && *exponent < 0 {
+                // A division by zero stays one, with the result that it has in floating point.
+                denominator.push((self.circuit.number(inner), 1));
+                divisors.push((*factor, exponent.unsigned_abs()));
+                continue;
+            }
             coefficient *= inner.pow(*exponent);
+            if self.circuit.as_number(net).is_some_and(One::is_one) {
+                continue;
+            }
             if *exponent > 0 {
                 numerator.push((net, exponent.unsigned_abs()));
             } else if self.inverted.factors.contains(factor) {
@@ -127,7 +170,11 @@ impl Lowering<'_> {
             }
         }
         let denominator = self.circuit.product(denominator);
-        if self.circuit.as_number(denominator).is_some() {
+        if self
+            .circuit
+            .as_number(denominator)
+            .is_some_and(|value| !value.is_zero())
+        {
             return (coefficient, self.circuit.product(numerator));
         }
         if self.inverted.products.contains(&divisors) {
@@ -138,9 +185,17 @@ impl Lowering<'_> {
         let numerator = self.circuit.product(numerator);
         if self.circuit.as_number(numerator).is_some() {
             let numerator = self.circuit.number(coefficient);
-            return (Rational::one(), self.circuit.push(Operation::Quotient(numerator, denominator)));
+            return (
+                Rational::one(),
+                self.circuit
+                    .push(Operation::Quotient(numerator, denominator)),
+            );
         }
-        (coefficient, self.circuit.push(Operation::Quotient(numerator, denominator)))
+        (
+            coefficient,
+            self.circuit
+                .push(Operation::Quotient(numerator, denominator)),
+        )
     }
 
     fn apply(&mut self, function: Function, operands: &[ExprId]) -> Multiple {
@@ -150,15 +205,44 @@ impl Lowering<'_> {
             match function {
                 Function::Abs if constant => return (coefficient.abs(), net),
                 Function::Abs => {
-                    return (coefficient.abs(), self.circuit.push(Operation::Apply(function, vec![net])));
+                    return (
+                        coefficient.abs(),
+                        self.circuit.push(Operation::Apply(function, vec![net])),
+                    );
                 }
-                Function::Sqrt if constant && !coefficient.is_negative() => return (root_of(&coefficient), net),
+                Function::Sqrt if constant && !coefficient.is_negative() => {
+                    return (root_of(&coefficient), net);
+                }
                 _ => {}
             }
         }
         let operands = operands.iter().map(|operand| self.net(*operand)).collect();
-        (Rational::one(), self.circuit.push(Operation::Apply(function, operands)))
+        (
+            Rational::one(),
+            self.circuit.push(Operation::Apply(function, operands)),
+        )
     }
+}
+
+/// Factors with their exponents.
+type Factors = Vec<(ExprId, i32)>;
+
+/// A product as a power of a quotient and the rest: x⁴z/y² is (x²/y)²·z. The power of a quotient stays in the range of
+/// numbers where x⁴ and y² may not, and takes fewer operations. The power is 1 where there is none.
+fn power_of_quotient(factors: &[(ExprId, i32)]) -> (Factors, u32, Factors) {
+    let (powers, rest): (Factors, Factors) =
+        factors.iter().partition(|(_, exponent)| exponent.abs() > 1);
+    let power = powers.iter().fold(0_u32, |power, (_, exponent)| {
+        power.gcd(&exponent.unsigned_abs())
+    });
+    let both_signs = powers.iter().any(|(_, n)| *n > 0) && powers.iter().any(|(_, n)| *n < 0);
+    if power < 2 || !both_signs {
+        return (Vec::new(), 1, factors.to_vec());
+    }
+    let quotient = powers
+        .iter()
+        .map(|(factor, exponent)| (*factor, exponent / power as i32));
+    (quotient.collect(), power, rest)
 }
 
 /// Digits of a named constant.
@@ -185,13 +269,15 @@ fn shared_divisors(graph: &Graph, roots: &[ExprId]) -> Divisors {
     let mut quotients: Vec<Vec<(ExprId, u32)>> = Vec::new();
     for id in graph.reachable(roots) {
         if let Node::Product(factors) = graph.node(id) {
-            let divisors: Vec<_> = factors
-                .iter()
-                .filter(|(_, exponent)| *exponent < 0)
-                .map(|(factor, exponent)| (*factor, exponent.unsigned_abs()))
-                .collect();
-            if !divisors.is_empty() {
-                quotients.push(divisors);
+            let (quotient, _, rest) = power_of_quotient(factors);
+            for factors in [quotient, rest] {
+                let divisors = factors.iter().filter(|(_, exponent)| *exponent < 0);
+                let divisors: Vec<_> = divisors
+                    .map(|(factor, exponent)| (*factor, exponent.unsigned_abs()))
+                    .collect();
+                if !divisors.is_empty() {
+                    quotients.push(divisors);
+                }
             }
         }
     }
@@ -202,23 +288,30 @@ fn shared_divisors(graph: &Graph, roots: &[ExprId]) -> Divisors {
         if group.len() == 1 {
             continue;
         }
-        if factors.len() <= whole.len() {
+        if factors.len() < whole.len() {
             shared.factors.extend(factors);
         } else {
-            let repeated = whole.into_iter().filter(|divisors| group.iter().filter(|other| *other == divisors).count() > 1);
+            let repeated = whole
+                .into_iter()
+                .filter(|divisors| group.iter().filter(|other| *other == divisors).count() > 1);
             shared.products.extend(repeated);
         }
     }
     shared
 }
 
+/// What a quotient divides by, with powers.
+type Denominator = Vec<(ExprId, u32)>;
+
 /// Quotients connected by common divisors.
-fn groups(quotients: Vec<Vec<(ExprId, u32)>>) -> Vec<Vec<Vec<(ExprId, u32)>>> {
-    let mut groups: Vec<(BTreeSet<ExprId>, Vec<Vec<(ExprId, u32)>>)> = Vec::new();
+fn groups(quotients: Vec<Denominator>) -> Vec<Vec<Denominator>> {
+    let mut groups: Vec<(BTreeSet<ExprId>, Vec<Denominator>)> = Vec::new();
     for quotient in quotients {
         let mut factors: BTreeSet<ExprId> = quotient.iter().map(|(factor, _)| *factor).collect();
         let mut members = vec![quotient];
-        let (connected, apart): (Vec<_>, Vec<_>) = groups.into_iter().partition(|(known, _)| !known.is_disjoint(&factors));
+        let (connected, apart): (Vec<_>, Vec<_>) = groups
+            .into_iter()
+            .partition(|(known, _)| !known.is_disjoint(&factors));
         for (known, others) in connected {
             factors.extend(known);
             members.extend(others);

@@ -63,7 +63,12 @@ impl Graph {
         self.finish_sum(closed)
     }
 
-    fn collect_term(&self, terms: &mut BTreeMap<ExprId, Rational>, operand: ExprId, coefficient: Rational) {
+    fn collect_term(
+        &self,
+        terms: &mut BTreeMap<ExprId, Rational>,
+        operand: ExprId,
+        coefficient: Rational,
+    ) {
         match self.node(operand) {
             Node::Number(value) => {
                 *terms.entry(self.one()).or_insert_with(Rational::zero) += value * coefficient;
@@ -119,7 +124,9 @@ impl Graph {
             return;
         }
         match self.node(operand).clone() {
-            Node::Number(value) if !value.is_zero() || exponent > 0 => *coefficient *= value.pow(exponent),
+            Node::Number(value) if !value.is_zero() || exponent > 0 => {
+                *coefficient *= value.pow(exponent)
+            }
             Node::Product(inner) => {
                 for (factor, power) in inner {
                     self.collect_factor(coefficient, powers, factor, power * exponent);
@@ -141,13 +148,22 @@ impl Graph {
     /// Splits a sum into a rational and a sum that begins with a positive term, so that (b − a) and (a − b),
     /// (2a + 2b) and (a + b) are one factor.
     fn primitive(&mut self, sum: ExprId, terms: &[(ExprId, Rational)]) -> (Rational, ExprId) {
-        let Some((_, first)) = terms.first() else { return (Rational::one(), sum) };
+        let Some((_, first)) = terms.first() else {
+            return (Rational::one(), sum);
+        };
         let common = terms.iter().all(|(_, q)| q.abs() == first.abs());
-        let content = if common { first.clone() } else { first.signum() };
+        let content = if common {
+            first.clone()
+        } else {
+            first.signum()
+        };
         if content.is_one() {
             return (content, sum);
         }
-        let scaled: Vec<_> = terms.iter().map(|(operand, q)| (*operand, q / &content)).collect();
+        let scaled: Vec<_> = terms
+            .iter()
+            .map(|(operand, q)| (*operand, q / &content))
+            .collect();
         (content, self.sum(scaled))
     }
 
@@ -198,11 +214,26 @@ impl Graph {
 
     /// A derivative of a tabulated function.
     pub fn tabulated(&mut self, table: usize, order: usize, argument: ExprId) -> ExprId {
-        self.intern(Node::Tabulated { table, order, argument })
+        self.intern(Node::Tabulated {
+            table,
+            order,
+            argument,
+        })
     }
 
     /// A definite integral.
-    pub fn integral(&mut self, variable: SymbolId, integrand: ExprId, lower: ExprId, upper: ExprId) -> ExprId {
-        self.intern(Node::Integral { variable, integrand, lower, upper })
+    pub fn integral(
+        &mut self,
+        variable: SymbolId,
+        integrand: ExprId,
+        lower: ExprId,
+        upper: ExprId,
+    ) -> ExprId {
+        self.intern(Node::Integral {
+            variable,
+            integrand,
+            lower,
+            upper,
+        })
     }
 }

@@ -17,17 +17,41 @@ pub struct Sign {
 
 impl Sign {
     /// Nothing is known.
-    pub const UNKNOWN: Self = Self { negative: true, zero: true, positive: true };
+    pub const UNKNOWN: Self = Self {
+        negative: true,
+        zero: true,
+        positive: true,
+    };
     /// Above zero.
-    pub const POSITIVE: Self = Self { negative: false, zero: false, positive: true };
+    pub const POSITIVE: Self = Self {
+        negative: false,
+        zero: false,
+        positive: true,
+    };
     /// Below zero.
-    pub const NEGATIVE: Self = Self { negative: true, zero: false, positive: false };
+    pub const NEGATIVE: Self = Self {
+        negative: true,
+        zero: false,
+        positive: false,
+    };
     /// Zero or above.
-    pub const NOT_NEGATIVE: Self = Self { negative: false, zero: true, positive: true };
+    pub const NOT_NEGATIVE: Self = Self {
+        negative: false,
+        zero: true,
+        positive: true,
+    };
     /// Zero or below.
-    pub const NOT_POSITIVE: Self = Self { negative: true, zero: true, positive: false };
+    pub const NOT_POSITIVE: Self = Self {
+        negative: true,
+        zero: true,
+        positive: false,
+    };
     /// Any but zero.
-    pub const NOT_ZERO: Self = Self { negative: true, zero: false, positive: true };
+    pub const NOT_ZERO: Self = Self {
+        negative: true,
+        zero: false,
+        positive: true,
+    };
 
     /// What holds where both hold.
     pub fn and(self, other: Self) -> Self {
@@ -63,7 +87,11 @@ impl Sign {
     }
 
     fn negated(self) -> Self {
-        Self { negative: self.positive, zero: self.zero, positive: self.negative }
+        Self {
+            negative: self.positive,
+            zero: self.zero,
+            positive: self.negative,
+        }
     }
 
     fn times(self, other: Self) -> Self {
@@ -80,11 +108,19 @@ impl Sign {
         let zero = (self.zero && other.zero)
             || (self.negative && other.positive)
             || (self.positive && other.negative);
-        Self { negative, zero, positive }
+        Self {
+            negative,
+            zero,
+            positive,
+        }
     }
 
     fn squared(self) -> Self {
-        Self { negative: false, zero: self.zero, positive: self.positive || self.negative }
+        Self {
+            negative: false,
+            zero: self.zero,
+            positive: self.positive || self.negative,
+        }
     }
 
     fn of_number(value: &super::Rational) -> Self {
@@ -93,7 +129,11 @@ impl Sign {
         } else if value.is_negative() {
             Self::NEGATIVE
         } else {
-            Self { negative: false, zero: true, positive: false }
+            Self {
+                negative: false,
+                zero: true,
+                positive: false,
+            }
         }
     }
 }
@@ -113,33 +153,56 @@ impl Graph {
             Node::Sum(terms) => {
                 let mut terms = terms.iter().map(|(operand, coefficient)| {
                     let sign = self.sign(*operand);
-                    if coefficient.is_negative() { sign.negated() } else { sign }
+                    if coefficient.is_negative() {
+                        sign.negated()
+                    } else {
+                        sign
+                    }
                 });
                 let first = terms.next().unwrap_or(Sign::UNKNOWN);
                 terms.fold(first, Sign::plus)
             }
             Node::Product(factors) => {
-                factors.iter().fold(Sign::POSITIVE, |product, (operand, exponent)| {
-                    let sign = self.sign(*operand);
-                    let mut power = if exponent % 2 == 0 { sign.squared() } else { sign };
-                    // A divisor is not zero where the quotient is defined.
-                    power.zero &= *exponent > 0;
-                    product.times(power)
-                })
+                factors
+                    .iter()
+                    .fold(Sign::POSITIVE, |product, (operand, exponent)| {
+                        let sign = self.sign(*operand);
+                        let mut power = if exponent % 2 == 0 {
+                            sign.squared()
+                        } else {
+                            sign
+                        };
+                        // A divisor is not zero where the quotient is defined.
+                        power.zero &= *exponent > 0;
+                        product.times(power)
+                    })
             }
             Node::Apply(function, operands) => self.sign_of_function(*function, operands),
-            Node::Tabulated { table, order: 0, .. } => self.tables.get(*table).map_or(Sign::UNKNOWN, |t| t.sign),
+            Node::Tabulated {
+                table, order: 0, ..
+            } => self.tables.get(*table).map_or(Sign::UNKNOWN, |t| t.sign),
             Node::Tabulated { .. } | Node::Integral { .. } => Sign::UNKNOWN,
         }
     }
 
     fn sign_of_function(&self, function: Function, operands: &[ExprId]) -> Sign {
-        let sign = |position: usize| operands.get(position).map_or(Sign::UNKNOWN, |id| self.sign(*id));
+        let sign = |position: usize| {
+            operands
+                .get(position)
+                .map_or(Sign::UNKNOWN, |id| self.sign(*id))
+        };
         match function {
-            Function::Sqrt => Sign { negative: false, zero: sign(0).zero, positive: true },
+            Function::Sqrt => Sign {
+                negative: false,
+                zero: sign(0).zero,
+                positive: true,
+            },
             Function::Abs => sign(0).squared(),
             Function::Exp => Sign::POSITIVE,
-            Function::Sign => Sign { zero: false, ..Sign::UNKNOWN },
+            Function::Sign => Sign {
+                zero: false,
+                ..Sign::UNKNOWN
+            },
             Function::Min | Function::Max => {
                 let (a, b) = (sign(0), sign(1));
                 let mut either = a.or(b);

@@ -94,16 +94,36 @@ impl FunctionAttributes {
     pub fn read(attributes: &[Attribute], diagnostics: &mut Diagnostics) -> Self {
         let mut read = Self::default();
         for attribute in attributes {
-            let Some(name) = OWN.into_iter().find(|name| attribute.path().is_ident(name)) else { continue };
-            let Some(words) = words(attribute, diagnostics) else { continue };
+            let Some(name) = OWN.into_iter().find(|name| attribute.path().is_ident(name)) else {
+                continue;
+            };
+            let Some(words) = words(attribute, diagnostics) else {
+                continue;
+            };
             let span = attribute.path().span();
+            let repeated = match name {
+                "generate" => read.request.is_some(),
+                "approximate" => read.approximation.is_some(),
+                _ => false,
+            };
+            if repeated {
+                diagnostics.error_with_hint(
+                    span,
+                    format!("a second `{name}` of one function"),
+                    "write all of it in one attribute",
+                );
+                continue;
+            }
             match name {
                 "generate" => read.request = Some(request(&words, span, diagnostics)),
                 "domain" => {
-                    read.domain.extend(words.iter().filter_map(|word| domain(word, diagnostics)));
+                    read.domain
+                        .extend(words.iter().filter_map(|word| domain(word, diagnostics)));
                 }
                 "approximate" => read.approximation = approximation(&words, span, diagnostics),
-                _ => read.specialisations.extend(specialisation(&words, span, diagnostics)),
+                _ => read
+                    .specialisations
+                    .extend(specialisation(&words, span, diagnostics)),
             }
         }
         read
@@ -130,7 +150,10 @@ fn head(expression: &Expr) -> Option<(&Ident, Vec<&Expr>)> {
     match expression {
         Expr::Path(path) => path.path.get_ident().map(|ident| (ident, Vec::new())),
         Expr::Call(call) => match call.func.as_ref() {
-            Expr::Path(path) => path.path.get_ident().map(|ident| (ident, call.args.iter().collect())),
+            Expr::Path(path) => path
+                .path
+                .get_ident()
+                .map(|ident| (ident, call.args.iter().collect())),
             _ => None,
         },
         _ => None,
@@ -142,13 +165,31 @@ const FORMS: [&str; 5] = ["value", "gradient", "hessian", "columns", "budget"];
 fn request(words: &[Expr], span: Span, diagnostics: &mut Diagnostics) -> Request {
     let mut request = Request::default();
     if words.is_empty() {
-        diagnostics.error_with_hint(span, "`generate` names no form", "write one of value, gradient(x, y), hessian(x, y), columns");
+        diagnostics.error_with_hint(
+            span,
+            "`generate` names no form",
+            "write one of value, gradient(x, y), hessian(x, y), columns",
+        );
     }
+    let mut asked: Vec<String> = Vec::new();
     for word in words {
         let Some((name, arguments)) = head(word) else {
-            diagnostics.error_with_hint(word.span(), "not a form", format!("forms are {}", FORMS.join(", ")));
+            diagnostics.error_with_hint(
+                word.span(),
+                "not a form",
+                format!("forms are {}", FORMS.join(", ")),
+            );
             continue;
         };
+        if asked.contains(&name.to_string()) {
+            diagnostics.error_with_hint(
+                name.span(),
+                format!("`{name}` is asked for twice"),
+                "write it once, with all its names",
+            );
+            continue;
+        }
+        asked.push(name.to_string());
         match name.to_string().as_str() {
             "value" => request.value = true,
             "columns" => request.columns = true,
@@ -156,8 +197,10 @@ fn request(words: &[Expr], span: Span, diagnostics: &mut Diagnostics) -> Request
             "hessian" => request.hessian = Some(targets(&arguments, diagnostics)),
             "budget" => budget(&mut request.budget, name, &arguments, diagnostics),
             other => {
-                let hint = nearest(other, FORMS)
-                    .map_or_else(|| format!("forms are {}", FORMS.join(", ")), |form| format!("did you mean `{form}`?"));
+                let hint = nearest(other, FORMS).map_or_else(
+                    || format!("forms are {}", FORMS.join(", ")),
+                    |form| format!("did you mean `{form}`?"),
+                );
                 diagnostics.error_with_hint(name.span(), format!("unknown form `{other}`"), hint);
             }
         }
@@ -166,7 +209,10 @@ fn request(words: &[Expr], span: Span, diagnostics: &mut Diagnostics) -> Request
 }
 
 fn targets(arguments: &[&Expr], diagnostics: &mut Diagnostics) -> Vec<Target> {
-    arguments.iter().filter_map(|argument| target(argument, diagnostics)).collect()
+    arguments
+        .iter()
+        .filter_map(|argument| target(argument, diagnostics))
+        .collect()
 }
 
 /// `omega`, `c.beta` or `a[0]` as the name of a symbol.
@@ -179,7 +225,10 @@ fn target(expression: &Expr, diagnostics: &mut Diagnostics) -> Option<Target> {
             "write a parameter `x`, a field `c.x` or an element `a[0]`",
         );
     }
-    Some(Target { symbol: symbol?, span: expression.span() })
+    Some(Target {
+        symbol: symbol?,
+        span: expression.span(),
+    })
 }
 
 fn symbol_path(expression: &Expr) -> Option<String> {
@@ -193,16 +242,26 @@ fn symbol_path(expression: &Expr) -> Option<String> {
             }
         }
         Expr::Index(index) => match index.index.as_ref() {
-            Expr::Lit(syn::ExprLit { lit: Lit::Int(position), .. }) => {
-                Some(format!("{}[{}]", symbol_path(&index.expr)?, position.base10_digits()))
-            }
+            Expr::Lit(syn::ExprLit {
+                lit: Lit::Int(position),
+                ..
+            }) => Some(format!(
+                "{}[{}]",
+                symbol_path(&index.expr)?,
+                position.base10_digits()
+            )),
             _ => None,
         },
         _ => None,
     }
 }
 
-fn budget(limits: &mut Vec<Limit>, name: &Ident, arguments: &[&Expr], diagnostics: &mut Diagnostics) {
+fn budget(
+    limits: &mut Vec<Limit>,
+    name: &Ident,
+    arguments: &[&Expr],
+    diagnostics: &mut Diagnostics,
+) {
     const EXAMPLE: &str = "write for example budget(operations = 96, div = 1)";
     if arguments.is_empty() {
         diagnostics.error_with_hint(name.span(), "the budget names no count", EXAMPLE);
@@ -212,8 +271,19 @@ fn budget(limits: &mut Vec<Limit>, name: &Ident, arguments: &[&Expr], diagnostic
             Expr::Assign(assign) => (head(&assign.left), assign.right.as_ref()),
             _ => (None, *argument),
         };
-        let (Some((key, _)), Expr::Lit(syn::ExprLit { lit: Lit::Int(most), .. })) = entry else {
-            diagnostics.error_with_hint(argument.span(), "an entry of the budget is a count and a whole number", EXAMPLE);
+        let (
+            Some((key, _)),
+            Expr::Lit(syn::ExprLit {
+                lit: Lit::Int(most),
+                ..
+            }),
+        ) = entry
+        else {
+            diagnostics.error_with_hint(
+                argument.span(),
+                "an entry of the budget is a count and a whole number",
+                EXAMPLE,
+            );
             continue;
         };
         let Some(measure) = Measure::named(&key.to_string()) else {
@@ -225,14 +295,19 @@ fn budget(limits: &mut Vec<Limit>, name: &Ident, arguments: &[&Expr], diagnostic
             continue;
         };
         match most.base10_parse() {
-            Ok(most) => limits.push(Limit { measure, most, span: argument.span() }),
+            Ok(most) => limits.push(Limit {
+                measure,
+                most,
+                span: argument.span(),
+            }),
             Err(error) => diagnostics.syntax(&error),
         }
     }
 }
 
 fn domain(condition: &Expr, diagnostics: &mut Diagnostics) -> Option<(Target, Sign)> {
-    const HINT: &str = "write a comparison with zero: x > 0.0, x >= 0.0, x < 0.0, x <= 0.0 or x != 0.0";
+    const HINT: &str =
+        "write a comparison with zero: x > 0.0, x >= 0.0, x < 0.0, x <= 0.0 or x != 0.0";
     if let Expr::Binary(binary) = condition
         && is_zero(&binary.right)
     {
@@ -259,52 +334,103 @@ fn is_zero(expression: &Expr) -> bool {
 /// A literal number of an attribute.
 fn number(expression: &Expr) -> Option<f64> {
     match expression {
-        Expr::Lit(syn::ExprLit { lit: Lit::Float(value), .. }) => value.base10_parse().ok(),
-        Expr::Lit(syn::ExprLit { lit: Lit::Int(value), .. }) => value.base10_parse().ok(),
-        Expr::Unary(syn::ExprUnary { op: syn::UnOp::Neg(_), expr, .. }) => number(expr).map(|value: f64| -value),
+        Expr::Lit(syn::ExprLit {
+            lit: Lit::Float(value),
+            ..
+        }) => value.base10_parse().ok(),
+        Expr::Lit(syn::ExprLit {
+            lit: Lit::Int(value),
+            ..
+        }) => value.base10_parse().ok(),
+        Expr::Unary(syn::ExprUnary {
+            op: syn::UnOp::Neg(_),
+            expr,
+            ..
+        }) => number(expr).map(|value: f64| -value),
         _ => None,
     }
 }
 
-fn approximation(words: &[Expr], span: Span, diagnostics: &mut Diagnostics) -> Option<Approximation> {
-    const EXAMPLE: &str = "write for example approximate(x = 0.0..=1.0, factor = x.powi(2), tolerance = 1e-13)";
+fn approximation(
+    words: &[Expr],
+    span: Span,
+    diagnostics: &mut Diagnostics,
+) -> Option<Approximation> {
+    const EXAMPLE: &str =
+        "write for example approximate(x = 0.0..=1.0, factor = x.powi(2), tolerance = 1e-13)";
     let (mut interval, mut factor, mut tolerance) = (None, None, None);
     for word in words {
         let assign = match word {
-            Expr::Assign(assign) => head(&assign.left).map(|(name, _)| (name, assign.right.as_ref())),
+            Expr::Assign(assign) => {
+                head(&assign.left).map(|(name, _)| (name, assign.right.as_ref()))
+            }
             _ => None,
         };
         match assign {
-            Some((name, right)) if name == "tolerance" => tolerance = number(right).map(|value| (value, right.span())),
+            Some((name, right)) if name == "tolerance" => {
+                tolerance = number(right).map(|value| (value, right.span()))
+            }
             Some((name, right)) if name == "factor" => factor = Some((name, right.clone()).1),
             Some((name, Expr::Range(range))) => {
                 let bound = |end: &Option<Box<Expr>>| end.as_ref().and_then(|end| number(end));
-                interval = bound(&range.start).zip(bound(&range.end)).map(|bounds| (name.clone(), bounds));
+                interval = bound(&range.start)
+                    .zip(bound(&range.end))
+                    .map(|bounds| (name.clone(), bounds));
             }
-            _ => diagnostics.error_with_hint(word.span(), "not a part of an approximation", EXAMPLE),
+            _ => {
+                diagnostics.error_with_hint(word.span(), "not a part of an approximation", EXAMPLE)
+            }
         }
     }
     let (Some((variable, (lower, upper))), Some((tolerance, _))) = (interval, tolerance) else {
-        diagnostics.error_with_hint(span, "an approximation needs its variable's interval and a tolerance", EXAMPLE);
+        diagnostics.error_with_hint(
+            span,
+            "an approximation needs its variable's interval and a tolerance",
+            EXAMPLE,
+        );
         return None;
     };
-    Some(Approximation { variable, lower, upper, factor, tolerance, span })
+    Some(Approximation {
+        variable,
+        lower,
+        upper,
+        factor,
+        tolerance,
+        span,
+    })
 }
 
-fn specialisation(words: &[Expr], span: Span, diagnostics: &mut Diagnostics) -> Option<Specialisation> {
-    const EXAMPLE: &str = "write for example specialise(phi_on_sir, omega = speed, generate(gradient(speed)))";
+fn specialisation(
+    words: &[Expr],
+    span: Span,
+    diagnostics: &mut Diagnostics,
+) -> Option<Specialisation> {
+    const EXAMPLE: &str =
+        "write for example specialise(phi_on_sir, omega = speed, generate(gradient(speed)))";
     let mut words = words.iter();
     let Some((name, _)) = words.next().and_then(head) else {
-        diagnostics.error_with_hint(span, "a specialisation begins with the new function's name", EXAMPLE);
+        diagnostics.error_with_hint(
+            span,
+            "a specialisation begins with the new function's name",
+            EXAMPLE,
+        );
         return None;
     };
-    let mut specialisation =
-        Specialisation { name: name.clone(), replacements: Vec::new(), request: Request { value: true, ..Request::default() } };
+    let mut specialisation = Specialisation {
+        name: name.clone(),
+        replacements: Vec::new(),
+        request: Request {
+            value: true,
+            ..Request::default()
+        },
+    };
     for word in words {
         match word {
             Expr::Assign(assign) => match head(&assign.left) {
                 Some((parameter, _)) => {
-                    specialisation.replacements.push((parameter.clone(), assign.right.as_ref().clone()));
+                    specialisation
+                        .replacements
+                        .push((parameter.clone(), assign.right.as_ref().clone()));
                 }
                 None => diagnostics.error_with_hint(assign.left.span(), "not a parameter", EXAMPLE),
             },
@@ -312,11 +438,17 @@ fn specialisation(words: &[Expr], span: Span, diagnostics: &mut Diagnostics) -> 
                 let forms: Vec<Expr> = call.args.iter().cloned().collect();
                 specialisation.request = request(&forms, call.span(), diagnostics);
             }
-            _ => diagnostics.error_with_hint(word.span(), "not a part of a specialisation", EXAMPLE),
+            _ => {
+                diagnostics.error_with_hint(word.span(), "not a part of a specialisation", EXAMPLE)
+            }
         }
     }
     if specialisation.replacements.is_empty() {
-        diagnostics.error_with_hint(name.span(), "the specialisation fixes no parameter", EXAMPLE);
+        diagnostics.error_with_hint(
+            name.span(),
+            "the specialisation fixes no parameter",
+            EXAMPLE,
+        );
     }
     Some(specialisation)
 }

@@ -1,17 +1,21 @@
 //! Follows a function's statements with expressions in place of numbers.
 
+mod calls;
+mod methods;
+mod statements;
+
 use std::collections::{BTreeMap, BTreeSet};
 
 use proc_macro2::Span;
 use syn::spanned::Spanned;
-use syn::{BinOp, Expr, Lit, Pat, Stmt, UnOp};
+use syn::{BinOp, Expr, Lit, UnOp};
 
 use super::attributes::Approximation;
 use super::literal;
 use super::module::{Function, Module, ParameterKind};
 use super::value::Value;
 use crate::diagnostics::{Diagnostics, nearest};
-use crate::graph::{ExprId, Function as Elementary, Graph, Rational, SymbolId, whole};
+use crate::graph::{ExprId, Graph, Rational, SymbolId, whole};
 use crate::tables::Tables;
 
 /// Names in scope.
@@ -48,6 +52,9 @@ impl<'m> Reader<'m> {
 
     /// The function's result over symbols named as its parameters. None where something was reported.
     pub fn read(&mut self, function: &Function) -> Option<Value> {
+        if !function.readable {
+            return None;
+        }
         self.assume_domain(function);
         let arguments = self.symbolic_arguments(function, "");
         if function.approximation.is_some() {
@@ -70,8 +77,11 @@ impl<'m> Reader<'m> {
     }
 
     fn factor(&mut self, approximation: &Approximation, argument: ExprId) -> Option<ExprId> {
-        let Some(factor) = &approximation.factor else { return Some(self.graph.one()) };
-        let mut scope = Scope::from([(approximation.variable.to_string(), Value::Number(argument))]);
+        let Some(factor) = &approximation.factor else {
+            return Some(self.graph.one());
+        };
+        let mut scope =
+            Scope::from([(approximation.variable.to_string(), Value::Number(argument))]);
         self.number(factor, &mut scope)
     }
 
@@ -79,10 +89,22 @@ impl<'m> Reader<'m> {
     fn assume_domain(&mut self, function: &Function) {
         for (symbol, sign, span) in &function.domain {
             let parameter = symbol.split(['.', '[']).next().unwrap_or(symbol);
-            if !function.parameters.iter().any(|known| known.name == parameter) {
-                let names: Vec<String> = function.parameters.iter().map(|known| known.name.to_string()).collect();
+            if !function
+                .parameters
+                .iter()
+                .any(|known| known.name == parameter)
+            {
+                let names: Vec<String> = function
+                    .parameters
+                    .iter()
+                    .map(|known| known.name.to_string())
+                    .collect();
                 let hint = format!("its parameters are {}", names.join(", "));
-                self.diagnostics.error_with_hint(*span, format!("`{}` has no parameter `{parameter}`", function.name()), hint);
+                self.diagnostics.error_with_hint(
+                    *span,
+                    format!("`{}` has no parameter `{parameter}`", function.name()),
+                    hint,
+                );
                 continue;
             }
             let id = self.graph.symbol_named(symbol);
@@ -100,9 +122,11 @@ impl<'m> Reader<'m> {
             let name = format!("{prefix}{}", parameter.name);
             arguments.push(match parameter.kind {
                 ParameterKind::Number => symbol(&mut self.graph, name),
-                ParameterKind::Array(length) => {
-                    Value::Array((0..length).map(|i| symbol(&mut self.graph, format!("{name}[{i}]"))).collect())
-                }
+                ParameterKind::Array(length) => Value::Array(
+                    (0..length)
+                        .map(|i| symbol(&mut self.graph, format!("{name}[{i}]")))
+                        .collect(),
+                ),
                 ParameterKind::Struct => Value::Parameter { path: name },
             });
         }
@@ -113,97 +137,14 @@ impl<'m> Reader<'m> {
     fn call(&mut self, function: &Function, arguments: Vec<Value>) -> Option<Value> {
         let name = function.name();
         self.calls.push(name);
-        let names = function.parameters.iter().map(|parameter| parameter.name.to_string());
+        let names = function
+            .parameters
+            .iter()
+            .map(|parameter| parameter.name.to_string());
         let mut scope: Scope = names.zip(arguments).collect();
-        let result = self.block(&function.item.block, &mut scope);
+        let result = self.block(&function.item.block, &mut scope, true);
         self.calls.pop();
         result
-    }
-
-    fn block(&mut self, block: &syn::Block, scope: &mut Scope) -> Option<Value> {
-        let mut result = None;
-        let mut failed = false;
-        for statement in &block.stmts {
-            match statement {
-                Stmt::Local(local) => failed |= self.binding(local, scope).is_none(),
-                Stmt::Expr(Expr::Return(returned), _) => {
-                    result = returned.expr.as_ref().and_then(|value| self.expression(value, scope));
-                }
-                Stmt::Expr(value, None) => result = self.expression(value, scope),
-                other => {
-                    self.diagnostics.error_with_hint(
-                        other.span(),
-                        "this statement is not a part of a formula",
-                        "a formula is `let` bindings and an expression",
-                    );
-                    failed = true;
-                }
-            }
-        }
-        if result.is_none() && !failed && self.diagnostics.is_empty() {
-            self.diagnostics.error_with_hint(
-                block.brace_token.span.join(),
-                "the formula has no value",
-                "end it with an expression",
-            );
-        }
-        result.filter(|_| !failed)
-    }
-
-    fn binding(&mut self, local: &syn::Local, scope: &mut Scope) -> Option<()> {
-        let Some(init) = local.init.as_ref().filter(|init| init.diverge.is_none()) else {
-            self.diagnostics.error_with_hint(local.span(), "a binding needs its value at once", "write `let x = …;`");
-            return None;
-        };
-        let value = self.expression(&init.expr, scope);
-        let failed = value.is_none();
-        // The names of a failed binding count as known, so that one mistake is reported once.
-        self.bind(&local.pat, value, scope)?;
-        (!failed).then_some(())
-    }
-
-    fn bind(&mut self, pattern: &Pat, value: Option<Value>, scope: &mut Scope) -> Option<()> {
-        match pattern {
-            Pat::Ident(name) if name.by_ref.is_none() && name.mutability.is_none() && name.subpat.is_none() => {
-                let text = name.ident.to_string();
-                if let Some(Value::Number(id)) = &value {
-                    self.graph.suggest_name(*id, &text);
-                }
-                let placeholder = Value::Number(self.graph.one());
-                scope.insert(text, value.unwrap_or(placeholder));
-                Some(())
-            }
-            Pat::Type(typed) => self.bind(&typed.pat, value, scope),
-            Pat::Paren(inner) => self.bind(&inner.pat, value, scope),
-            Pat::Wild(_) => Some(()),
-            Pat::Tuple(tuple) => {
-                let parts = match value {
-                    Some(Value::Tuple(parts)) if parts.len() == tuple.elems.len() => parts.into_iter().map(Some).collect(),
-                    None => vec![None; tuple.elems.len()],
-                    Some(other) => {
-                        self.diagnostics.error(
-                            tuple.span(),
-                            format!("{} can't be taken apart into {} parts", other.description(), tuple.elems.len()),
-                        );
-                        return None;
-                    }
-                };
-                let mut complete = Some(());
-                for (pattern, part) in tuple.elems.iter().zip(parts) {
-                    complete = self.bind(pattern, part, scope).and(complete);
-                }
-                complete
-            }
-            Pat::Ident(name) => {
-                let hint = "a formula never changes a number; bind the new one to another name";
-                self.diagnostics.error_with_hint(name.span(), "a binding is a plain name", hint);
-                None
-            }
-            other => {
-                self.diagnostics.error_with_hint(other.span(), "this pattern is not a part of a formula", "bind a name or a tuple of names");
-                None
-            }
-        }
     }
 
     fn expression(&mut self, expression: &Expr, scope: &mut Scope) -> Option<Value> {
@@ -213,7 +154,7 @@ impl<'m> Reader<'m> {
             Expr::Paren(inner) => self.expression(&inner.expr, scope),
             Expr::Group(inner) => self.expression(&inner.expr, scope),
             Expr::Reference(inner) => self.expression(&inner.expr, scope),
-            Expr::Block(inner) => self.block(&inner.block, &mut scope.clone()),
+            Expr::Block(inner) => self.block(&inner.block, &mut scope.clone(), false),
             Expr::Unary(unary) => match unary.op {
                 UnOp::Deref(_) => self.expression(&unary.expr, scope),
                 UnOp::Neg(_) => {
@@ -252,7 +193,8 @@ impl<'m> Reader<'m> {
     }
 
     fn unsupported<T>(&mut self, span: Span, what: &str, hint: &str) -> Option<T> {
-        self.diagnostics.error_with_hint(span, format!("{what} is not a part of a formula"), hint);
+        self.diagnostics
+            .error_with_hint(span, format!("{what} is not a part of a formula"), hint);
         None
     }
 
@@ -261,21 +203,34 @@ impl<'m> Reader<'m> {
         match self.expression(expression, scope)? {
             Value::Number(id) => Some(id),
             other => {
-                self.diagnostics.error(expression.span(), format!("a number is needed here, this is {}", other.description()));
+                let message = format!("a number is needed here, this is {}", other.description());
+                self.diagnostics.error_with_hint(
+                    expression.span(),
+                    message,
+                    other.way_to_a_number(),
+                );
                 None
             }
         }
     }
 
     /// Evaluates all, so that every mistake is reported.
-    fn all<'e>(&mut self, expressions: impl Iterator<Item = &'e Expr>, scope: &mut Scope) -> Option<Vec<Value>> {
-        let values: Vec<Option<Value>> = expressions.map(|expression| self.expression(expression, scope)).collect();
+    fn all<'e>(
+        &mut self,
+        expressions: impl Iterator<Item = &'e Expr>,
+        scope: &mut Scope,
+    ) -> Option<Vec<Value>> {
+        let values: Vec<Option<Value>> = expressions
+            .map(|expression| self.expression(expression, scope))
+            .collect();
         values.into_iter().collect()
     }
 
     fn literal(&mut self, literal: &Lit) -> Option<Value> {
         let value = match literal {
-            Lit::Float(value) if matches!(value.suffix(), "" | "f64") => literal::decimal(value.base10_digits()),
+            Lit::Float(value) if matches!(value.suffix(), "" | "f64") => {
+                literal::decimal(value.base10_digits())
+            }
             Lit::Int(value) if value.suffix() == "f64" => literal::decimal(value.base10_digits()),
             Lit::Int(value) => {
                 let hint = format!("write `{}.0`", value.base10_digits());
@@ -285,33 +240,55 @@ impl<'m> Reader<'m> {
         };
         match value {
             Some(value) => Some(Value::Number(self.graph.number(value))),
-            None => self.unsupported(literal.span(), "a number of this size", "an f64 holds up to 1.8e308"),
+            None => self.unsupported(
+                literal.span(),
+                "a number of this size",
+                "an f64 holds up to 1.8e308",
+            ),
         }
     }
 
     fn path(&mut self, path: &syn::Path, scope: &mut Scope) -> Option<Value> {
-        let Some(last) = path.segments.last() else { return None };
+        let last = path.segments.last()?;
         let name = last.ident.to_string();
         if path.segments.len() == 1 {
             if let Some(value) = scope.get(&name) {
                 return Some(value.clone());
             }
-            if let Some((_, value)) = self.module.constants.iter().find(|(constant, _)| *constant == name) {
+            if let Some((_, value)) = self
+                .module
+                .constants
+                .iter()
+                .find(|(constant, _)| *constant == name)
+            {
                 return self.expression(value, &mut Scope::new());
             }
         }
-        let prefix: Vec<String> = path.segments.iter().map(|segment| segment.ident.to_string()).collect();
-        let standard = prefix.len() == 1 || prefix.iter().any(|segment| segment == "consts");
-        if standard && let Some(id) = literal::constant(&mut self.graph, &name) {
+        if let Some(standard) = self.module.imports.constant(path)
+            && let Some(id) = literal::constant(&mut self.graph, &standard)
+        {
             return Some(Value::Number(id));
         }
-        let constants = self.module.constants.iter().map(|(constant, _)| constant.as_str());
-        let known = scope.keys().map(String::as_str).chain(constants).chain(literal::CONSTANTS);
+        if literal::CONSTANTS.contains(&name.as_str()) || path.segments.len() > 1 {
+            self.diagnostics.error_with_hint(
+                path.span(),
+                format!("the value of `{name}` is not known here"),
+                "constants are those of the module and of std::f64::consts, by their path or imported in the module",
+            );
+            return None;
+        }
+        let constants = self
+            .module
+            .constants
+            .iter()
+            .map(|(constant, _)| constant.as_str());
+        let known = scope.keys().map(String::as_str).chain(constants);
         let hint = match nearest(&name, known) {
             Some(candidate) => format!("did you mean `{candidate}`?"),
             None => "names are parameters, `let` bindings, constants of the module and of std::f64::consts".to_owned(),
         };
-        self.diagnostics.error_with_hint(path.span(), format!("unknown name `{name}`"), hint);
+        self.diagnostics
+            .error_with_hint(path.span(), format!("unknown name `{name}`"), hint);
         None
     }
 
@@ -324,95 +301,48 @@ impl<'m> Reader<'m> {
                 Some(Value::Number(self.graph.sum(terms?)))
             }
             BinOp::Mul(_) | BinOp::Div(_) => {
-                let (left, right) = (self.number(&binary.left, scope), self.number(&binary.right, scope));
+                let (left, right) = (
+                    self.number(&binary.left, scope),
+                    self.number(&binary.right, scope),
+                );
                 let (left, right) = (left?, right?);
-                Some(Value::Number(if matches!(binary.op, BinOp::Mul(_)) {
+                let result = if matches!(binary.op, BinOp::Mul(_)) {
                     self.graph.multiply(left, right)
                 } else {
                     self.graph.divide(left, right)
-                }))
+                };
+                self.of_bounded_size(result, binary.span())
             }
-            _ => self.unsupported(binary.op.span(), "this operator", "the operators are + - * /"),
+            _ => self.unsupported(
+                binary.op.span(),
+                "this operator",
+                "the operators are + - * /",
+            ),
         }
     }
 
     /// The terms of a chain `a + b - c`; parentheses close a sum, for they say how its author wants it rounded.
-    fn terms(&mut self, binary: &syn::ExprBinary, scope: &mut Scope, terms: &mut Vec<Option<(ExprId, Rational)>>) {
+    fn terms(
+        &mut self,
+        binary: &syn::ExprBinary,
+        scope: &mut Scope,
+        terms: &mut Vec<Option<(ExprId, Rational)>>,
+    ) {
         match binary.left.as_ref() {
-            Expr::Binary(left) if matches!(left.op, BinOp::Add(_) | BinOp::Sub(_)) => self.terms(left, scope, terms),
+            Expr::Binary(left) if matches!(left.op, BinOp::Add(_) | BinOp::Sub(_)) => {
+                self.terms(left, scope, terms)
+            }
             left => terms.push(self.number(left, scope).map(|id| (id, whole(1)))),
         }
-        let sign = if matches!(binary.op, BinOp::Sub(_)) { -1 } else { 1 };
-        terms.push(self.number(&binary.right, scope).map(|id| (id, whole(sign))));
-    }
-
-    fn method(&mut self, call: &syn::ExprMethodCall, scope: &mut Scope) -> Option<Value> {
-        const METHODS: [(&str, usize); 12] = [
-            ("powi", 1), ("sqrt", 0), ("sin", 0), ("cos", 0), ("tan", 0), ("exp", 0), ("ln", 0), ("abs", 0),
-            ("recip", 0), ("mul_add", 2), ("min", 1), ("max", 1),
-        ];
-        let receiver = self.number(&call.receiver, scope);
-        let name = call.method.to_string();
-        let Some((_, arity)) = METHODS.into_iter().find(|(method, _)| *method == name) else {
-            let hint = match name.as_str() {
-                "powf" => "a whole power is `powi(n)`, a root is `sqrt()`, any other is `(y * x.ln()).exp()`".to_owned(),
-                _ => match nearest(&name, METHODS.map(|(method, _)| method)) {
-                    Some(method) => format!("did you mean `{method}`?"),
-                    None => format!("the methods are {}", METHODS.map(|(method, _)| method).join(", ")),
-                },
-            };
-            self.diagnostics.error_with_hint(call.method.span(), format!("unknown method `{name}`"), hint);
-            return None;
+        let sign = if matches!(binary.op, BinOp::Sub(_)) {
+            -1
+        } else {
+            1
         };
-        if call.args.len() != arity {
-            self.diagnostics.error(
-                call.method.span(),
-                format!("`{name}` takes {arity} argument{}, not {}", if arity == 1 { "" } else { "s" }, call.args.len()),
-            );
-            return None;
-        }
-        if name == "powi" {
-            let exponent = self.exponent(&call.args[0]);
-            return Some(Value::Number(self.graph.power(receiver?, exponent?)));
-        }
-        let arguments: Vec<Option<ExprId>> = call.args.iter().map(|argument| self.number(argument, scope)).collect();
-        let arguments: Vec<ExprId> = arguments.into_iter().collect::<Option<_>>()?;
-        Some(Value::Number(self.apply(&name, receiver?, &arguments)))
-    }
-
-    fn apply(&mut self, method: &str, receiver: ExprId, arguments: &[ExprId]) -> ExprId {
-        let function = match (method, arguments) {
-            ("recip", _) => return self.graph.power(receiver, -1),
-            ("mul_add", [factor, summand]) => {
-                let product = self.graph.multiply(receiver, *factor);
-                return self.graph.add(product, *summand);
-            }
-            ("sqrt", _) => Elementary::Sqrt,
-            ("sin", _) => Elementary::Sin,
-            ("cos", _) => Elementary::Cos,
-            ("tan", _) => Elementary::Tan,
-            ("exp", _) => Elementary::Exp,
-            ("ln", _) => Elementary::Ln,
-            ("min", _) => Elementary::Min,
-            ("max", _) => Elementary::Max,
-            _ => Elementary::Abs,
-        };
-        let operands = std::iter::once(receiver).chain(arguments.iter().copied()).collect();
-        self.graph.apply(function, operands)
-    }
-
-    fn exponent(&mut self, argument: &Expr) -> Option<i32> {
-        let (negative, literal) = match argument {
-            Expr::Unary(syn::ExprUnary { op: UnOp::Neg(_), expr, .. }) => (true, expr.as_ref()),
-            other => (false, other),
-        };
-        if let Expr::Lit(syn::ExprLit { lit: Lit::Int(value), .. }) = literal
-            && let Ok(value) = value.base10_parse::<i32>()
-            && value <= 1000
-        {
-            return Some(if negative { -value } else { value });
-        }
-        self.unsupported(argument.span(), "this exponent", "powi takes a whole number literal of at most 1000")
+        terms.push(
+            self.number(&binary.right, scope)
+                .map(|id| (id, whole(sign))),
+        );
     }
 
     fn field(&mut self, field: &syn::ExprField, scope: &mut Scope) -> Option<Value> {
@@ -421,28 +351,45 @@ impl<'m> Reader<'m> {
             syn::Member::Named(name) => name.to_string(),
             syn::Member::Unnamed(index) => index.index.to_string(),
         };
-        let description = base.description();
+        let (description, hint) = (base.description(), base.known_fields());
         let found = match base {
             Value::Parameter { path } => {
                 let id = self.graph.symbol_named(&format!("{path}.{member}"));
                 return Some(Value::Number(self.graph.symbol_expression(id)));
             }
-            Value::Struct { fields, .. } => fields.into_iter().find(|(name, _)| *name == member).map(|(_, value)| value),
-            Value::Tuple(mut values) => {
-                member.parse().ok().filter(|position| *position < values.len()).map(|position| values.swap_remove(position))
-            }
+            Value::Struct { fields, .. } => fields
+                .into_iter()
+                .find(|(name, _)| *name == member)
+                .map(|(_, value)| value),
+            Value::Tuple(mut values) => member
+                .parse()
+                .ok()
+                .filter(|position| *position < values.len())
+                .map(|position| values.swap_remove(position)),
             Value::Number(_) | Value::Array(_) => None,
         };
         if found.is_none() {
-            self.diagnostics.error(field.member.span(), format!("{description} has no field `{member}`"));
+            self.diagnostics.error_with_hint(
+                field.member.span(),
+                format!("{description} has no field `{member}`"),
+                hint,
+            );
         }
         found
     }
 
     fn element(&mut self, index: &syn::ExprIndex, scope: &mut Scope) -> Option<Value> {
         let base = self.expression(&index.expr, scope)?;
-        let Expr::Lit(syn::ExprLit { lit: Lit::Int(position), .. }) = index.index.as_ref() else {
-            return self.unsupported(index.index.span(), "this index", "an index is a whole number literal");
+        let Expr::Lit(syn::ExprLit {
+            lit: Lit::Int(position),
+            ..
+        }) = index.index.as_ref()
+        else {
+            return self.unsupported(
+                index.index.span(),
+                "this index",
+                "an index is a whole number literal",
+            );
         };
         let position = position.base10_parse::<usize>().ok();
         match base {
@@ -450,12 +397,25 @@ impl<'m> Reader<'m> {
                 let length = values.len();
                 let element = position.and_then(|position| values.into_iter().nth(position));
                 if element.is_none() {
-                    self.diagnostics.error(index.index.span(), format!("the array has {length} elements"));
+                    let hint = match length.checked_sub(1) {
+                        Some(last) => format!("its last one is `[{last}]`"),
+                        None => "it is empty".to_owned(),
+                    };
+                    self.diagnostics.error_with_hint(
+                        index.index.span(),
+                        format!("the array has {length} elements"),
+                        hint,
+                    );
                 }
                 element
             }
             other => {
-                self.diagnostics.error(index.expr.span(), format!("{} has no elements", other.description()));
+                let message = format!("{} has no elements", other.description());
+                self.diagnostics.error_with_hint(
+                    index.expr.span(),
+                    message,
+                    other.way_to_a_number(),
+                );
                 None
             }
         }
@@ -470,186 +430,36 @@ impl<'m> Reader<'m> {
         let mut fields = Vec::new();
         for (field, value) in literal.fields.iter().zip(values) {
             let syn::Member::Named(name) = &field.member else {
-                return self.unsupported(field.member.span(), "a field without a name", "use a tuple");
+                return self.unsupported(
+                    field.member.span(),
+                    "a field without a name",
+                    "use a tuple",
+                );
             };
             if let Value::Number(id) = &value {
                 self.graph.suggest_name(*id, &name.to_string());
             }
             fields.push((name.to_string(), value));
         }
-        Some(Value::Struct { name: quote::ToTokens::to_token_stream(path).to_string(), fields })
-    }
-
-    fn function_call(&mut self, call: &syn::ExprCall, scope: &mut Scope) -> Option<Value> {
-        let Expr::Path(path) = call.func.as_ref() else {
-            return self.unsupported(call.func.span(), "this call", "call a formula of the module by its name");
-        };
-        let segments: Vec<String> = path.path.segments.iter().map(|segment| segment.ident.to_string()).collect();
-        match segments.as_slice() {
-            [name] if name == "integral" && self.module.function(name).is_none() => self.integral(call, scope),
-            [name] => {
-                let function = self.known_function(name, path.path.span())?;
-                let arguments = self.arguments(function, call, scope)?;
-                self.call_or_table(function, arguments)
-            }
-            [name, partial] => {
-                let function = self.known_function(name, path.path.span())?;
-                let arguments = self.arguments(function, call, scope)?;
-                self.partial(function, partial, arguments, path.path.span())
-            }
-            _ => self.unsupported(path.path.span(), "a call outside the module", "formulas call formulas of their own module"),
-        }
-    }
-
-    fn known_function(&mut self, name: &str, span: Span) -> Option<&'m Function> {
-        let module = self.module;
-        let Some(function) = module.function(name) else {
-            let names: Vec<String> = module.functions.iter().map(Function::name).collect();
-            let hint = match nearest(name, names.iter().map(String::as_str)) {
-                Some(candidate) => format!("did you mean `{candidate}`?"),
-                None => "formulas call formulas of their own module".to_owned(),
-            };
-            self.diagnostics.error_with_hint(span, format!("unknown function `{name}`"), hint);
-            return None;
-        };
-        if self.calls.iter().any(|caller| caller == name) {
-            return self.unsupported(span, "a function that calls itself", "write the terms out");
-        }
-        Some(function)
-    }
-
-    fn arguments(&mut self, function: &Function, call: &syn::ExprCall, scope: &mut Scope) -> Option<Vec<Value>> {
-        let expected = function.parameters.len();
-        if call.args.len() != expected {
-            let names: Vec<String> = function.parameters.iter().map(|parameter| parameter.name.to_string()).collect();
-            self.diagnostics.error_with_hint(
-                call.span(),
-                format!("`{}` takes {expected} argument{}, not {}", function.name(), if expected == 1 { "" } else { "s" }, call.args.len()),
-                format!("it is {}({})", function.name(), names.join(", ")),
-            );
-            return None;
-        }
-        let arguments = self.all(call.args.iter(), scope)?;
-        for ((argument, parameter), expression) in arguments.iter().zip(&function.parameters).zip(&call.args) {
-            let fits = match parameter.kind {
-                ParameterKind::Number => matches!(argument, Value::Number(_)),
-                ParameterKind::Array(length) => matches!(argument, Value::Array(values) if values.len() == length),
-                ParameterKind::Struct => matches!(argument, Value::Parameter { .. } | Value::Struct { .. }),
-            };
-            if !fits {
-                self.diagnostics.error(
-                    expression.span(),
-                    format!("`{}` of `{}` can't be {}", parameter.name, function.name(), argument.description()),
-                );
-                return None;
-            }
-        }
-        Some(arguments)
-    }
-
-    /// A function's value: through its table where it is tabulated, else through its body.
-    fn call_or_table(&mut self, function: &Function, arguments: Vec<Value>) -> Option<Value> {
-        let Some(approximation) = &function.approximation else {
-            // A function that is wrong in itself is reported where it stands, not at each of its calls.
-            let before = self.diagnostics.clone();
-            let result = self.call(function, arguments);
-            if result.is_none() {
-                self.diagnostics = before;
-            }
-            return result;
-        };
-        // A table that could not be made is reported where its function stands.
-        let table = self.tables.get(self.module, function, approximation)?.clone();
-        let position = self.graph.tables.iter().position(|known| known.name == table.name).unwrap_or_else(|| {
-            self.graph.tables.push(table);
-            self.graph.tables.len() - 1
-        });
-        let Some(Value::Number(argument)) = arguments.first() else { return None };
-        let value = self.graph.tabulated(position, 0, *argument);
-        let factor = self.factor(approximation, *argument)?;
-        Some(Value::Number(self.graph.multiply(factor, value)))
-    }
-
-    /// `f::d_x(…)` or `f::d_x_y(…)`: a partial derivative of another formula, at these arguments.
-    fn partial(&mut self, function: &'m Function, partial: &str, arguments: Vec<Value>, span: Span) -> Option<Value> {
-        let prefix = format!("{}#", function.name());
-        let placeholders = self.symbolic_arguments(function, &prefix);
-        let value = match self.call_or_table(function, placeholders)? {
-            Value::Number(id) => id,
-            other => {
-                self.diagnostics.error(span, format!("`{}` gives {}, a partial needs a number", function.name(), other.description()));
-                return None;
-            }
-        };
-        let symbols = self.graph.symbols_of(&[value]);
-        let names: Vec<(String, SymbolId)> = symbols
-            .iter()
-            .filter_map(|id| Some((identifier(self.graph.symbol(*id).name.strip_prefix(&prefix)?), *id)))
-            .collect();
-        let Some(by) = partial.strip_prefix("d_").and_then(|suffix| partial_symbols(suffix, &names)) else {
-            let known: Vec<String> = names.iter().map(|(name, _)| format!("d_{name}")).collect();
-            let hint = format!("its partials are {} and those by two of these names", known.join(", "));
-            self.diagnostics.error_with_hint(span, format!("`{}` has no partial `{partial}`", function.name()), hint);
-            return None;
-        };
-        self.partials.insert((function.name(), partial.to_owned()));
-        let mut derivative = value;
-        for symbol in by {
-            derivative = crate::differentiate::gradient(&mut self.graph, derivative, &[symbol]).first().copied()?;
-        }
-        let scope: Scope =
-            function.parameters.iter().map(|parameter| parameter.name.to_string()).zip(arguments).collect();
-        let mut replacements = BTreeMap::new();
-        for symbol in self.graph.symbols_of(&[derivative]) {
-            let name = self.graph.symbol(symbol).name.clone();
-            if let Some(path) = name.strip_prefix(&prefix) {
-                replacements.insert(symbol, self.resolve(path, &scope, span)?);
-            }
-        }
-        let result = self.graph.substitute(&[derivative], &replacements);
-        result.first().map(|id| Value::Number(*id))
-    }
-
-    /// The number at `c.beta` or `a[0]` of a scope.
-    fn resolve(&mut self, path: &str, scope: &Scope, span: Span) -> Option<ExprId> {
-        let expression: Expr = syn::parse_str(path).ok()?;
-        let found = self.number(&expression, &mut scope.clone());
-        if found.is_none() {
-            self.diagnostics.error(span, format!("the argument has no `{path}`"));
-        }
-        found
-    }
-
-    /// `integral(|x| …, a..b)`
-    fn integral(&mut self, call: &syn::ExprCall, scope: &mut Scope) -> Option<Value> {
-        let parts: Vec<&Expr> = call.args.iter().collect();
-        let [Expr::Closure(closure), Expr::Range(range)] = parts.as_slice() else {
-            return self.unsupported(call.span(), "an integral of this form", "write `integral(|x| …, a..b)`");
-        };
-        let variable = match closure.inputs.iter().collect::<Vec<_>>().as_slice() {
-            [Pat::Ident(name)] => name.ident.to_string(),
-            [Pat::Type(typed)] => match typed.pat.as_ref() {
-                Pat::Ident(name) => name.ident.to_string(),
-                _ => return self.unsupported(typed.span(), "this variable of integration", "it is a plain name"),
-            },
-            _ => return self.unsupported(closure.span(), "this integrand", "it has one variable: `|x| …`"),
-        };
-        let (Some(start), Some(end)) = (&range.start, &range.end) else {
-            return self.unsupported(range.span(), "an open range", "an integral has two bounds");
-        };
-        let (lower, upper) = (self.number(start, scope), self.number(end, scope));
-        self.integrals += 1;
-        let symbol = self.graph.symbol_named(&format!("{variable}@{}", self.integrals));
-        let mut inner = scope.clone();
-        inner.insert(variable, Value::Number(self.graph.symbol_expression(symbol)));
-        let integrand = self.number(&closure.body, &mut inner)?;
-        Some(Value::Number(self.graph.integral(symbol, integrand, lower?, upper?)))
+        Some(Value::Struct {
+            name: quote::ToTokens::to_token_stream(path).to_string(),
+            fields,
+        })
     }
 }
 
-/// `c.beta` as an identifier: `c_beta`; `a[0]`: `a_0`.
+/// `c.beta` as an identifier: `c_beta`; `a[0]`: `a_0`; `r#type`, which only stands alone: `type_`.
 pub fn identifier(symbol: &str) -> String {
-    symbol.replace(['.', '['], "_").replace(']', "")
+    let name = symbol
+        .replace("r#", "")
+        .replace(['.', '['], "_")
+        .replace(']', "");
+    let word = name.starts_with(|first: char| first.is_alphabetic());
+    if word && syn::parse_str::<syn::Ident>(&name).is_err() {
+        format!("{name}_")
+    } else {
+        name
+    }
 }
 
 /// The one or two symbols whose names make up the suffix of a partial.
@@ -659,6 +469,9 @@ pub fn partial_symbols(suffix: &str, names: &[(String, SymbolId)]) -> Option<Vec
     }
     names.iter().find_map(|(first, one)| {
         let rest = suffix.strip_prefix(first.as_str())?.strip_prefix('_')?;
-        names.iter().find(|(second, _)| second == rest).map(|(_, other)| vec![*one, *other])
+        names
+            .iter()
+            .find(|(second, _)| second == rest)
+            .map(|(_, other)| vec![*one, *other])
     })
 }

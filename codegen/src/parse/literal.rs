@@ -19,13 +19,33 @@ pub fn decimal(digits: &str) -> Option<Rational> {
     }
     let value: BigInt = format!("{whole}{fraction}").parse().ok()?;
     let power = Pow::pow(BigInt::from(10), exponent.unsigned_abs());
-    Some(if exponent < 0 { Rational::new(value, power) } else { Rational::new(value * power, BigInt::one()) })
+    Some(if exponent < 0 {
+        Rational::new(value, power)
+    } else {
+        Rational::new(value * power, BigInt::one())
+    })
 }
 
 /// The names that `std::f64::consts` knows and formulas may use.
 pub const CONSTANTS: [&str; 18] = [
-    "PI", "TAU", "FRAC_PI_2", "FRAC_PI_3", "FRAC_PI_4", "FRAC_PI_6", "FRAC_PI_8", "FRAC_1_PI", "FRAC_2_PI",
-    "FRAC_2_SQRT_PI", "SQRT_2", "FRAC_1_SQRT_2", "E", "LN_2", "LN_10", "LOG2_E", "LOG10_E", "GOLDEN_RATIO",
+    "PI",
+    "TAU",
+    "FRAC_PI_2",
+    "FRAC_PI_3",
+    "FRAC_PI_4",
+    "FRAC_PI_6",
+    "FRAC_PI_8",
+    "FRAC_1_PI",
+    "FRAC_2_PI",
+    "FRAC_2_SQRT_PI",
+    "SQRT_2",
+    "FRAC_1_SQRT_2",
+    "E",
+    "LN_2",
+    "LN_10",
+    "LOG2_E",
+    "LOG10_E",
+    "GOLDEN_RATIO",
 ];
 
 /// The exact expression behind a name of `std::f64::consts`.
@@ -60,7 +80,11 @@ pub fn constant(graph: &mut Graph, name: &str) -> Option<ExprId> {
         "SQRT_2" | "FRAC_1_SQRT_2" => {
             let two = graph.integer(2);
             let root = graph.apply(Function::Sqrt, vec![two]);
-            if name == "SQRT_2" { root } else { graph.scale(root, ratio(1, 2)) }
+            if name == "SQRT_2" {
+                root
+            } else {
+                graph.scale(root, ratio(1, 2))
+            }
         }
         "E" => graph.constant(NamedConstant::E),
         "LN_2" => graph.constant(NamedConstant::Ln2),
@@ -92,6 +116,10 @@ mod tests {
     #[test]
     fn every_listed_constant_is_known() {
         let mut graph = Graph::new();
-        assert!(CONSTANTS.iter().all(|name| constant(&mut graph, name).is_some()));
+        assert!(
+            CONSTANTS
+                .iter()
+                .all(|name| constant(&mut graph, name).is_some())
+        );
     }
 }

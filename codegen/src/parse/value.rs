@@ -37,22 +37,59 @@ impl Value {
         }
     }
 
+    /// How to get a number from the value, for hints.
+    pub fn way_to_a_number(&self) -> &'static str {
+        match self {
+            Self::Number(_) => "it is used by its name alone",
+            Self::Tuple(_) => "take a part of it: `.0`",
+            Self::Array(_) => "take an element of it: `[0]`",
+            Self::Struct { .. } | Self::Parameter { .. } => "take a field of it: `.name`",
+        }
+    }
+
+    /// The fields that the value has, for hints.
+    pub fn known_fields(&self) -> String {
+        match self {
+            Self::Tuple(values) => {
+                let places: Vec<String> = (0..values.len())
+                    .map(|place| format!("`.{place}`"))
+                    .collect();
+                format!("its parts are {}", places.join(", "))
+            }
+            Self::Struct { fields, .. } => {
+                let names: Vec<String> =
+                    fields.iter().map(|(name, _)| format!("`{name}`")).collect();
+                format!("its fields are {}", names.join(", "))
+            }
+            other => other.way_to_a_number().to_owned(),
+        }
+    }
+
     /// All numbers in order, with the way to each: `` for a number, `.0`, `[1]`, `.field`.
     pub fn numbers(&self) -> Vec<(String, ExprId)> {
         let prefixed = |prefix: String, value: &Value| -> Vec<(String, ExprId)> {
-            value.numbers().into_iter().map(|(path, id)| (format!("{prefix}{path}"), id)).collect()
+            value
+                .numbers()
+                .into_iter()
+                .map(|(path, id)| (format!("{prefix}{path}"), id))
+                .collect()
         };
         match self {
             Self::Number(id) => vec![(String::new(), *id)],
-            Self::Tuple(values) => {
-                values.iter().enumerate().flat_map(|(i, value)| prefixed(format!(".{i}"), value)).collect()
-            }
-            Self::Array(values) => {
-                values.iter().enumerate().flat_map(|(i, value)| prefixed(format!("[{i}]"), value)).collect()
-            }
-            Self::Struct { fields, .. } => {
-                fields.iter().flat_map(|(name, value)| prefixed(format!(".{name}"), value)).collect()
-            }
+            Self::Tuple(values) => values
+                .iter()
+                .enumerate()
+                .flat_map(|(i, value)| prefixed(format!(".{i}"), value))
+                .collect(),
+            Self::Array(values) => values
+                .iter()
+                .enumerate()
+                .flat_map(|(i, value)| prefixed(format!("[{i}]"), value))
+                .collect(),
+            Self::Struct { fields, .. } => fields
+                .iter()
+                .flat_map(|(name, value)| prefixed(format!(".{name}"), value))
+                .collect(),
             Self::Parameter { .. } => Vec::new(),
         }
     }
@@ -61,11 +98,24 @@ impl Value {
     pub fn with_numbers(&self, numbers: &mut impl Iterator<Item = ExprId>) -> Self {
         match self {
             Self::Number(old) => Self::Number(numbers.next().unwrap_or(*old)),
-            Self::Tuple(values) => Self::Tuple(values.iter().map(|value| value.with_numbers(numbers)).collect()),
-            Self::Array(values) => Self::Array(values.iter().map(|value| value.with_numbers(numbers)).collect()),
+            Self::Tuple(values) => Self::Tuple(
+                values
+                    .iter()
+                    .map(|value| value.with_numbers(numbers))
+                    .collect(),
+            ),
+            Self::Array(values) => Self::Array(
+                values
+                    .iter()
+                    .map(|value| value.with_numbers(numbers))
+                    .collect(),
+            ),
             Self::Struct { name, fields } => Self::Struct {
                 name: name.clone(),
-                fields: fields.iter().map(|(field, value)| (field.clone(), value.with_numbers(numbers))).collect(),
+                fields: fields
+                    .iter()
+                    .map(|(field, value)| (field.clone(), value.with_numbers(numbers)))
+                    .collect(),
             },
             Self::Parameter { path } => Self::Parameter { path: path.clone() },
         }

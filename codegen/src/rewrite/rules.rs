@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use num_bigint::BigInt;
-use num_traits::{One, Signed, Zero};
+use num_traits::{One, Pow, Signed, Zero};
 
 use super::{Rule, applied, product};
 use crate::graph::{ExprId, Function, Graph, Node, Rational, whole};
@@ -17,6 +17,9 @@ pub const RULES: &[Rule] = &[
     Rule { name: "power of a root",        pattern: "x.sqrt().powi(3)",                       result: "x * x.sqrt()",                          given: "",                   apply: power_of_root },
     Rule { name: "root over its square",   pattern: "x.sqrt() / x",                           result: "1.0 / x.sqrt()",                        given: "",                   apply: root_and_power },
     Rule { name: "square over its root",   pattern: "x / x.sqrt()",                           result: "x.sqrt()",                              given: "",                   apply: root_and_power },
+    Rule { name: "product over its root",  pattern: "2.0 * x.powi(2) * y / (x * y).sqrt()",   result: "2.0 * x * (x * y).sqrt()",              given: "",                   apply: product_and_root },
+    Rule { name: "square of a sign",       pattern: "x.signum().powi(2) * y",                 result: "y",                                     given: "",                   apply: power_of_sign },
+    Rule { name: "number by its sign",     pattern: "x.powi(3) * x.signum()",                 result: "x.powi(2) * x.abs()",                   given: "",                   apply: number_by_sign },
     Rule { name: "root of a quotient",     pattern: "(x / y).sqrt() / z",                     result: "(x * y).sqrt() / (y.abs() * z)",        given: "",                   apply: root_of_quotient },
     Rule { name: "inverse root",           pattern: "1.0 / (x / y).sqrt()",                   result: "(y / x).sqrt()",                        given: "",                   apply: inverse_root },
     Rule { name: "nested fraction",        pattern: "1.0 / (x / y - z / w)",                  result: "y * w / (x * w - y * z)",               given: "",                   apply: nested_fraction },
@@ -42,7 +45,7 @@ pub const RULES: &[Rule] = &[
 ];
 
 /// A rational multiple of a product, taken apart.
-fn parts(graph: &Graph, id: ExprId) -> (Rational, Vec<(ExprId, i32)>) {
+pub(super) fn parts(graph: &Graph, id: ExprId) -> (Rational, Vec<(ExprId, i32)>) {
     match graph.node(id) {
         Node::Number(value) => (value.clone(), Vec::new()),
         Node::Sum(terms) if terms.len() == 1 => {
@@ -87,7 +90,7 @@ fn root_of_power(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
 }
 
 /// The rational root of a rational square.
-fn exact_root(value: &Rational) -> Option<Rational> {
+pub(super) fn exact_root(value: &Rational) -> Option<Rational> {
     let root = |whole: &BigInt| Some(whole.sqrt()).filter(|root| root * root == *whole);
     if value.is_negative() {
         return None;
@@ -100,12 +103,18 @@ fn root_of_multiple(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
     let (coefficient, factors) = parts(graph, operand);
     let root = exact_root(&coefficient).filter(|root| !root.is_one())?;
     let radicand = product(graph, factors);
-    let inner = if radicand == graph.one() { radicand } else { applied(graph, Function::Sqrt, radicand) };
+    let inner = if radicand == graph.one() {
+        radicand
+    } else {
+        applied(graph, Function::Sqrt, radicand)
+    };
     Some(graph.scale(inner, root))
 }
 
 fn power_of_root(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
-    let Node::Product(factors) = graph.node(id).clone() else { return None };
+    let Node::Product(factors) = graph.node(id).clone() else {
+        return None;
+    };
     let mut changed = Vec::new();
     for (factor, exponent) in &factors {
         match operand_of(graph, *factor, Function::Sqrt).filter(|_| exponent.abs() > 1) {
@@ -118,11 +127,17 @@ fn power_of_root(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
 
 /// x·x^(−1/2) and x^(−1)·x^(1/2): the root alone.
 fn root_and_power(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
-    let Node::Product(factors) = graph.node(id).clone() else { return None };
+    let Node::Product(factors) = graph.node(id).clone() else {
+        return None;
+    };
     let powers: BTreeMap<ExprId, i32> = factors.iter().copied().collect();
     for (root, exponent) in &factors {
-        let Some(radicand) = operand_of(graph, *root, Function::Sqrt) else { continue };
-        let Some(power) = powers.get(&radicand) else { continue };
+        let Some(radicand) = operand_of(graph, *root, Function::Sqrt) else {
+            continue;
+        };
+        let Some(power) = powers.get(&radicand) else {
+            continue;
+        };
         if power.signum() != exponent.signum() && exponent.abs() == 1 {
             let mut changed = factors.clone();
             changed.extend([(radicand, -power.signum()), (*root, 2 * power.signum())]);
@@ -133,21 +148,100 @@ fn root_and_power(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
     None
 }
 
+/// xy/√(xy), where the factors of a radicand stand beside its root and not as one: the root alone.
+fn product_and_root(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
+    let Node::Product(factors) = graph.node(id).clone() else {
+        return None;
+    };
+    let powers: BTreeMap<ExprId, i32> = factors.iter().copied().collect();
+    for (root, exponent) in &factors {
+        let Some(radicand) = operand_of(graph, *root, Function::Sqrt) else {
+            continue;
+        };
+        let (coefficient, inner) = parts(graph, radicand);
+        let covered = |(factor, power): &(ExprId, i32)| {
+            let beside = powers.get(factor).copied().unwrap_or(0) * -exponent.signum();
+            *power > 0 && beside >= *power
+        };
+        if exponent.abs() == 1 && inner.len() > 1 && inner.iter().all(covered) {
+            let mut changed = factors.clone();
+            let taken = inner
+                .iter()
+                .map(|(factor, power)| (*factor, power * exponent));
+            changed.extend(taken);
+            changed.push((*root, -2 * exponent));
+            let product = product(graph, changed);
+            // √R/R is √R over its product and its coefficient.
+            return Some(graph.scale(product, coefficient.pow(*exponent)));
+        }
+    }
+    None
+}
+
+/// The square of a sign is 1.
+fn power_of_sign(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
+    let Node::Product(factors) = graph.node(id).clone() else {
+        return None;
+    };
+    let mut changed = factors.clone();
+    for (factor, exponent) in &mut changed {
+        if operand_of(graph, *factor, Function::Sign).is_some() {
+            *exponent = exponent.rem_euclid(2);
+        }
+    }
+    (changed != factors).then(|| product(graph, changed))
+}
+
+/// A number times its sign is its size, which keeps a derivative finite where the number is zero.
+fn number_by_sign(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
+    let Node::Product(factors) = graph.node(id).clone() else {
+        return None;
+    };
+    for (sign, exponent) in &factors {
+        let Some(number) = operand_of(graph, *sign, Function::Sign).filter(|_| *exponent == 1)
+        else {
+            continue;
+        };
+        let power = factors.iter().find(|(factor, _)| *factor == number);
+        if let Some((_, power)) = power {
+            let size = (applied(graph, Function::Abs, number), power.signum());
+            let mut changed = factors.clone();
+            changed.extend([(*sign, -1), (number, -power.signum()), size]);
+            return Some(product(graph, changed));
+        }
+    }
+    None
+}
+
 /// Beside another division, √(a/b) is √(ab)/|b|: one division for both.
 fn root_of_quotient(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
-    let Node::Product(factors) = graph.node(id).clone() else { return None };
-    let has_fraction = |graph: &Graph, id: ExprId| {
-        operand_of(graph, id, Function::Sqrt)
-            .is_some_and(|radicand| parts(graph, radicand).1.iter().any(|(_, exponent)| *exponent < 0))
+    let Node::Product(factors) = graph.node(id).clone() else {
+        return None;
     };
-    let fractions = factors.iter().filter(|(factor, _)| has_fraction(graph, *factor)).count();
-    let divisions = factors.iter().filter(|(_, exponent)| *exponent < 0).count();
+    let has_fraction = |graph: &Graph, id: ExprId| {
+        operand_of(graph, id, Function::Sqrt).is_some_and(|radicand| {
+            parts(graph, radicand)
+                .1
+                .iter()
+                .any(|(_, exponent)| *exponent < 0)
+        })
+    };
+    let fractions = factors
+        .iter()
+        .filter(|(factor, _)| has_fraction(graph, *factor))
+        .count();
+    let divisions = factors
+        .iter()
+        .filter(|(factor, exponent)| *exponent < 0 && !has_fraction(graph, *factor))
+        .count();
     if fractions == 0 || fractions + divisions < 2 {
         return None;
     }
     let mut changed = Vec::new();
     for (factor, exponent) in factors {
-        let Some(radicand) = operand_of(graph, factor, Function::Sqrt).filter(|_| has_fraction(graph, factor)) else {
+        let Some(radicand) =
+            operand_of(graph, factor, Function::Sqrt).filter(|_| has_fraction(graph, factor))
+        else {
             changed.push((factor, exponent));
             continue;
         };
@@ -155,7 +249,10 @@ fn root_of_quotient(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
         let mut joined = Vec::new();
         for (inner_factor, inner_exponent) in inner {
             if inner_exponent < 0 {
-                changed.push((applied(graph, Function::Abs, inner_factor), inner_exponent * exponent));
+                changed.push((
+                    applied(graph, Function::Abs, inner_factor),
+                    inner_exponent * exponent,
+                ));
             }
             joined.push((inner_factor, inner_exponent.abs()));
         }
@@ -166,21 +263,36 @@ fn root_of_quotient(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
 }
 
 fn inverse_root(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
-    let Node::Product(factors) = graph.node(id).clone() else { return None };
-    let (position, radicand) = factors.iter().enumerate().find_map(|(position, (factor, exponent))| {
-        let radicand = operand_of(graph, *factor, Function::Sqrt).filter(|_| *exponent == -1)?;
-        let fraction = parts(graph, radicand).1.iter().any(|(_, exponent)| *exponent < 0);
-        fraction.then_some((position, radicand))
-    })?;
+    let Node::Product(factors) = graph.node(id).clone() else {
+        return None;
+    };
+    let (position, radicand) =
+        factors
+            .iter()
+            .enumerate()
+            .find_map(|(position, (factor, exponent))| {
+                let radicand =
+                    operand_of(graph, *factor, Function::Sqrt).filter(|_| *exponent == -1)?;
+                let fraction = parts(graph, radicand)
+                    .1
+                    .iter()
+                    .any(|(_, exponent)| *exponent < 0);
+                fraction.then_some((position, radicand))
+            })?;
     let flipped = graph.power(radicand, -1);
     let mut changed = factors;
     changed[position] = (applied(graph, Function::Sqrt, flipped), 1);
     Some(product(graph, changed))
 }
 
+/// More denominators than this are not multiplied with each other: their product might leave the range of numbers.
+const MOST_DENOMINATORS: i32 = 3;
+
 /// The least common denominator of a sum's terms, and the sum times it; None where no term is a fraction.
 fn common_denominator(graph: &mut Graph, sum: ExprId) -> Option<(Vec<(ExprId, i32)>, ExprId)> {
-    let Node::Sum(terms) = graph.node(sum).clone() else { return None };
+    let Node::Sum(terms) = graph.node(sum).clone() else {
+        return None;
+    };
     let mut denominator: BTreeMap<ExprId, i32> = BTreeMap::new();
     for (term, _) in &terms {
         for (factor, exponent) in parts(graph, *term).1 {
@@ -190,7 +302,8 @@ fn common_denominator(graph: &mut Graph, sum: ExprId) -> Option<(Vec<(ExprId, i3
             }
         }
     }
-    if denominator.is_empty() || terms.len() < 2 {
+    let degree: i32 = denominator.values().sum();
+    if denominator.is_empty() || terms.len() < 2 || degree > MOST_DENOMINATORS {
         return None;
     }
     let denominator: Vec<(ExprId, i32)> = denominator.into_iter().collect();
@@ -205,14 +318,20 @@ fn common_denominator(graph: &mut Graph, sum: ExprId) -> Option<(Vec<(ExprId, i3
 }
 
 fn nested_fraction(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
-    let Node::Product(factors) = graph.node(id).clone() else { return None };
+    let Node::Product(factors) = graph.node(id).clone() else {
+        return None;
+    };
     for (position, (factor, exponent)) in factors.iter().enumerate() {
         if *exponent < 0
             && let Some((denominator, numerator)) = common_denominator(graph, *factor)
         {
             let mut changed = factors.clone();
             changed[position] = (numerator, *exponent);
-            changed.extend(denominator.into_iter().map(|(factor, power)| (factor, -power * exponent)));
+            changed.extend(
+                denominator
+                    .into_iter()
+                    .map(|(factor, power)| (factor, -power * exponent)),
+            );
             return Some(product(graph, changed));
         }
     }
@@ -220,7 +339,9 @@ fn nested_fraction(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
 }
 
 fn nested_absolute_fraction(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
-    let Node::Product(factors) = graph.node(id).clone() else { return None };
+    let Node::Product(factors) = graph.node(id).clone() else {
+        return None;
+    };
     for (position, (factor, exponent)) in factors.iter().enumerate() {
         let inner = operand_of(graph, *factor, Function::Abs).filter(|_| *exponent < 0);
         if let Some(inner) = inner
@@ -238,10 +359,14 @@ fn nested_absolute_fraction(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
 }
 
 fn even_power_of_absolute(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
-    let Node::Product(factors) = graph.node(id).clone() else { return None };
+    let Node::Product(factors) = graph.node(id).clone() else {
+        return None;
+    };
     let mut changed = factors.clone();
     for (factor, exponent) in &mut changed {
-        if *exponent % 2 == 0
+        // A divisor stays the size that it is elsewhere, so that one inverse serves both.
+        if *exponent > 0
+            && *exponent % 2 == 0
             && let Some(inner) = operand_of(graph, *factor, Function::Abs)
         {
             *factor = inner;
@@ -266,12 +391,20 @@ fn absolute_of_known_sign(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
 fn absolute_of_product(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
     let operand = operand_of(graph, id, Function::Abs)?;
     let (coefficient, factors) = parts(graph, operand);
-    if coefficient.is_one() && factors.iter().all(|(factor, exponent)| (*factor, *exponent) == (operand, 1)) {
+    if coefficient.is_one()
+        && factors
+            .iter()
+            .all(|(factor, exponent)| (*factor, *exponent) == (operand, 1))
+    {
         return None;
     }
     let mut changed = Vec::new();
     for (factor, exponent) in factors {
-        let size = if exponent % 2 == 0 { factor } else { applied(graph, Function::Abs, factor) };
+        let size = if exponent % 2 == 0 {
+            factor
+        } else {
+            applied(graph, Function::Abs, factor)
+        };
         changed.push((size, exponent));
     }
     Some(scaled(graph, coefficient.abs(), changed))
@@ -287,7 +420,9 @@ fn even_function(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
 }
 
 fn odd_function(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
-    let function = [Function::Sin, Function::Tan].into_iter().find(|f| operand_of(graph, id, *f).is_some())?;
+    let function = [Function::Sin, Function::Tan]
+        .into_iter()
+        .find(|f| operand_of(graph, id, *f).is_some())?;
     let operand = operand_of(graph, id, function)?;
     let positive = negated_if_negative(graph, operand)?;
     let value = applied(graph, function, positive);
@@ -297,15 +432,26 @@ fn odd_function(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
 /// The negative of a sum that begins with a negative term.
 fn negated_if_negative(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
     match graph.node(id) {
-        Node::Sum(terms) if terms.first().is_some_and(|(_, coefficient)| coefficient.is_negative()) => {
-            Some(graph.negate(id)).filter(|negative| *negative != id)
+        Node::Sum(terms)
+            if terms
+                .first()
+                .is_some_and(|(_, coefficient)| coefficient.is_negative()) =>
+        {
+            // Term by term: the negative of a sum as a whole would begin with a negative term again.
+            let terms: Vec<_> = terms
+                .iter()
+                .map(|(operand, coefficient)| (*operand, -coefficient))
+                .collect();
+            Some(graph.sum(terms))
         }
         _ => None,
     }
 }
 
 fn sine_and_cosine(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
-    let Node::Sum(terms) = graph.node(id).clone() else { return None };
+    let Node::Sum(terms) = graph.node(id).clone() else {
+        return None;
+    };
     let squared = |graph: &Graph, id: ExprId, function: Function| match graph.node(id) {
         Node::Product(factors) => match factors.as_slice() {
             [(factor, 2)] => operand_of(graph, *factor, function),
@@ -314,13 +460,19 @@ fn sine_and_cosine(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
         _ => None,
     };
     for (sine, coefficient) in &terms {
-        let Some(angle) = squared(graph, *sine, Function::Sin) else { continue };
-        let partner = terms
-            .iter()
-            .find(|(term, other)| other == coefficient && squared(graph, *term, Function::Cos) == Some(angle));
+        let Some(angle) = squared(graph, *sine, Function::Sin) else {
+            continue;
+        };
+        let partner = terms.iter().find(|(term, other)| {
+            other == coefficient && squared(graph, *term, Function::Cos) == Some(angle)
+        });
         if let Some((cosine, _)) = partner {
             let (sine, cosine, one) = (*sine, *cosine, graph.one());
-            let mut changed: Vec<_> = terms.iter().filter(|(term, _)| *term != sine && *term != cosine).cloned().collect();
+            let mut changed: Vec<_> = terms
+                .iter()
+                .filter(|(term, _)| *term != sine && *term != cosine)
+                .cloned()
+                .collect();
             changed.push((one, coefficient.clone()));
             return Some(graph.sum(changed));
         }
@@ -330,21 +482,28 @@ fn sine_and_cosine(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
 
 fn inverse_functions(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
     let outer = [(Function::Exp, Function::Ln), (Function::Ln, Function::Exp)];
-    outer.into_iter().find_map(|(outer, inner)| operand_of(graph, operand_of(graph, id, outer)?, inner))
+    outer
+        .into_iter()
+        .find_map(|(outer, inner)| operand_of(graph, operand_of(graph, id, outer)?, inner))
 }
 
 fn one_of_equals(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
     match graph.node(id) {
-        Node::Apply(Function::Min | Function::Max, operands) if operands[0] == operands[1] => Some(operands[0]),
+        Node::Apply(Function::Min | Function::Max, operands) if operands[0] == operands[1] => {
+            Some(operands[0])
+        }
         Node::Apply(Function::Select, operands) if operands[2] == operands[3] => Some(operands[2]),
         _ => None,
     }
 }
 
 fn extreme_by_sign(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
-    let Node::Apply(function @ (Function::Min | Function::Max), operands) = graph.node(id) else { return None };
+    let Node::Apply(function @ (Function::Min | Function::Max), operands) = graph.node(id) else {
+        return None;
+    };
     let (a, b) = (operands[0], operands[1]);
-    let not_below = |x: ExprId, y: ExprId| graph.sign(x).is_not_negative() && graph.sign(y).is_not_positive();
+    let not_below =
+        |x: ExprId, y: ExprId| graph.sign(x).is_not_negative() && graph.sign(y).is_not_positive();
     let larger_first = *function == Function::Max;
     if not_below(a, b) {
         Some(if larger_first { a } else { b })
@@ -357,7 +516,9 @@ fn extreme_by_sign(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
 
 /// Functions of a number whose value is rational, applied wherever they stand in the node's operands' place.
 fn value_at_number(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
-    let Node::Apply(function, operands) = graph.node(id).clone() else { return None };
+    let Node::Apply(function, operands) = graph.node(id).clone() else {
+        return None;
+    };
     let value = graph.as_number(*operands.first()?)?.clone();
     let result = match function {
         Function::Exp if value.is_zero() => whole(1),
@@ -371,7 +532,11 @@ fn value_at_number(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
         Function::Sign => whole(1),
         Function::Min | Function::Max => {
             let other = graph.as_number(operands[1])?.clone();
-            if function == Function::Min { value.min(other) } else { value.max(other) }
+            if function == Function::Min {
+                value.min(other)
+            } else {
+                value.max(other)
+            }
         }
         _ => return None,
     };

@@ -58,13 +58,13 @@ pub(crate) struct Columns {
 }
 
 impl Columns {
-    /// Sorts the header's columns. `results` are the headings that are going to be added; columns that have one of
-    /// these are refused, or dropped with `replace`.
+    /// Sorts the header's columns. `results` are the headings that are going to be added; they take the place of columns
+    /// that have one of these already.
     ///
     /// # Errors
     ///
-    /// Where an input has two columns, or a column is in the way of a result.
-    pub(crate) fn new(header: &Row, results: &[&str], replace: bool) -> Result<Self, Failure> {
+    /// Where an input has two columns, or the header is separated by something else than commas.
+    pub(crate) fn new(header: &Row, results: &[&str]) -> Result<Self, Failure> {
         let width = header.fields.len();
         let mut columns = Self {
             width,
@@ -72,18 +72,14 @@ impl Columns {
             kept: vec![true; width],
             remarks: Vec::new(),
         };
+        let mut recomputed = Vec::new();
         for (index, bytes) in header.fields.iter().enumerate() {
             let heading = String::from_utf8_lossy(bytes).trim().to_owned();
             if results.contains(&heading.as_str()) {
-                if !replace {
-                    return Err(Failure::input(format!(
-                        "line {}, column {}: `{heading}` is the name of a result that is to be added; rename the \
-                         column, ask for other results with --quantities, or drop it with --replace",
-                        header.line,
-                        index + 1,
-                    )));
-                }
                 columns.kept[index] = false;
+                if heading != ERROR {
+                    recomputed.push(format!("`{heading}`"));
+                }
             } else if let Some(input) = Input::find(&heading) {
                 columns.add(
                     header.line,
@@ -97,8 +93,22 @@ impl Columns {
                 columns.remark_on(&heading);
             }
         }
+        if !recomputed.is_empty() {
+            let names = recomputed.join(", ");
+            columns.remarks.push(format!(
+                "results are computed anew, the table's own are dropped: {names}"
+            ));
+        }
         if columns.inputs.is_empty() {
-            columns.remarks.push(no_inputs(header));
+            if let Some(separator) = other_separator(header) {
+                return Err(Failure::input(format!(
+                    "line {}: the header is separated by {separator}; use commas",
+                    header.line
+                )));
+            }
+            columns
+                .remarks
+                .push("no column of the table is an input, every row is the base rotor".to_owned());
         }
         Ok(columns)
     }
@@ -154,10 +164,11 @@ impl Columns {
         row: &Row,
         base: &RotorParameters,
     ) -> Result<RotorParameters, String> {
-        if row.fields.len() != self.width {
+        let found = row.fields.len();
+        if found != self.width {
+            let fields = if found == 1 { "field" } else { "fields" };
             return Err(format!(
-                "the row has {} fields, the header has {}",
-                row.fields.len(),
+                "the row has {found} {fields}, the header has {}",
                 self.width
             ));
         }
@@ -189,7 +200,10 @@ impl Columns {
 
 /// Reads a number and holds it against what the input allows.
 fn number(input: &NumericInput, text: &str) -> Result<f64, String> {
-    let wants = format!("a number {} is wanted", input.allowed);
+    let wants = match input.allowed.to_string().as_str() {
+        "finite" => "a finite number is wanted".to_owned(),
+        allowed => format!("a number {allowed} is wanted"),
+    };
     if text.is_empty() {
         return Err(format!("the cell is empty, {wants}"));
     }
@@ -217,13 +231,14 @@ fn number(input: &NumericInput, text: &str) -> Result<f64, String> {
     Ok(value)
 }
 
-/// What to say of a header in which no input is found.
-fn no_inputs(header: &Row) -> String {
-    let line: Vec<u8> = header.fields.iter().flatten().copied().collect();
-    let separator = match header.fields.len() {
-        1 if line.contains(&b';') => "; it looks separated by semicolons: use commas",
-        1 if line.contains(&b'\t') => "; it looks separated by tabs: use commas",
-        _ => "",
-    };
-    format!("no column of the table is an input, every row is the base rotor{separator}")
+/// What separates a header that is one field, if its parts are inputs.
+fn other_separator(header: &Row) -> Option<&'static str> {
+    let line = String::from_utf8_lossy(header.fields.get(0).filter(|_| header.fields.len() == 1)?);
+    [(';', "semicolons"), ('\t', "tabs")]
+        .into_iter()
+        .find(|(separator, _)| {
+            let mut parts = line.split(*separator);
+            line.contains(*separator) && parts.any(|part| Input::find(part.trim()).is_some())
+        })
+        .map(|(_, name)| name)
 }

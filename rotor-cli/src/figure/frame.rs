@@ -237,6 +237,22 @@ pub(super) fn write(
     page.draw_text(label, &style, at)
 }
 
+/// Writes a note in the middle of a frame.
+pub(super) fn note(
+    page: &Page<'_>,
+    frame: &Frame<'_>,
+    note: &str,
+    fonts: &Fonts,
+) -> Result<(), Drawing> {
+    if note.is_empty() {
+        return Ok(());
+    }
+    let width = fonts.width(&text::parse(note, Shape::Upright), AXIS_LETTERS);
+    let middle = (frame.left() + frame.right()) / 2 - units(0.5 * width);
+    let at = (middle, (frame.top() + frame.bottom()) / 2);
+    write(page, note, at, AXIS_LETTERS, FontStyle::Normal)
+}
+
 /// A rectangle on the page in canvas units.
 #[derive(Debug, Clone, Copy)]
 struct Space {

@@ -59,8 +59,14 @@ fn bar_scale(map: &Map) -> Option<Scale> {
     } else {
         0.1 * low.abs().max(f64::from(low == 0.0))
     };
+    // The colours of what is never negative do not begin below zero.
+    let least = if low < 0.0 {
+        low - around
+    } else {
+        (low - around).max(0.0)
+    };
     Some(Scale::new(
-        low - around,
+        least,
         high + around,
         Ticks::Decimal,
         Ends::Kept,
@@ -88,6 +94,7 @@ pub(super) fn draw(
     frame.outline(page)?;
     let drawn = (&map.curves[..], &map.annotations[..]);
     frame::annotations(page, &frame, drawn, &contour_labels, fonts)?;
+    frame::note(page, &frame, &map.note, fonts)?;
     Legend::new("", &map.curves, fonts, pixels(frame.width())).draw(page, &frame)
 }
 

@@ -134,6 +134,7 @@ pub(super) fn draw(
         &[],
         fonts,
     )?;
+    frame::note(page, &frame, &panel.note, fonts)?;
     Legend::new(&panel.title, &panel.curves, fonts, pixels(frame.width())).draw(page, &frame)
 }
 

@@ -91,6 +91,7 @@ fn two_panels() -> Figure {
                 y: axis("width λ_s / ω_st [–]", Ticks::Decimal),
                 curves: first,
                 annotations: zups.collect(),
+                note: String::new(),
             },
             Panel {
                 title: "(b)".to_owned(),
@@ -101,6 +102,7 @@ fn two_panels() -> Figure {
                     label: "Ω_c = 2.553".to_owned(),
                     at: (PI / 4.0, 0.3),
                 }],
+                note: String::new(),
             },
         ]),
     }
@@ -139,6 +141,7 @@ fn map_figure() -> Figure {
                 label: "ZUP: σ = 0.2316, φ = 0".to_owned(),
                 at: (0.2316, 0.0),
             }],
+            note: String::new(),
         })),
     }
 }
@@ -173,6 +176,7 @@ fn one_line(points: Vec<(f64, Option<f64>)>) -> Figure {
         y,
         curves,
         annotations: Vec::new(),
+        note: String::new(),
     };
     Figure {
         name: "figure-1".to_owned(),

@@ -7,16 +7,27 @@ mod widths;
 mod zero_unstable_points;
 
 use rotor_core::equations::Coefficients;
-use rotor_core::region::{self, RegionKind};
+use rotor_core::region::{self, NoRegion, RegionKind};
 use rotor_core::rotor::{Rotor, RotorParameters};
 
 use super::analysis::Analysis;
 use crate::figure::{Axis, Curve, Dash, Figure, Mark, Panel, Ticks};
+use crate::table::shortest;
 
 /// Crack depths of Fig. 6.
 const DEPTHS: [f64; 4] = [0.1, 0.2, 0.25, 0.3];
 /// Crack positions of Figs. 7 to 9.
 const POSITIONS: [f64; 3] = [0.5, 0.4, 0.3];
+
+/// The paper's values of an input and, if it is another, the rotor's own. The place of a value is its colour, in each
+/// figure the same.
+fn with_own(values: &[f64], own: f64) -> Vec<f64> {
+    let mut values = values.to_vec();
+    if !values.contains(&own) {
+        values.push(own);
+    }
+    values
+}
 
 /// All figures, in the order of the paper, the maps at the end.
 pub(crate) fn figures(analysis: &Analysis) -> Vec<Figure> {
@@ -46,13 +57,40 @@ fn rotor_of(analysis: &Analysis) -> String {
     format!(
         "Rotor: {}, Δ_d = {}, σ = {}, l_c/*L* = {}, φ = {} where not stated otherwise; crack model {}, edge {}",
         analysis.named.name,
-        p.disk_asymmetry,
-        p.crack_depth_ratio,
-        p.crack_position_ratio,
-        p.crack_angle,
+        number(p.disk_asymmetry),
+        number(p.crack_depth_ratio),
+        number(p.crack_position_ratio),
+        number(p.crack_angle),
         p.crack_model,
         p.crack_edge
     )
+}
+
+/// A number as it is typeset.
+fn number(value: f64) -> String {
+    shortest(value).replace('-', "−")
+}
+
+/// What a panel says where the rotor has no such region; empty where it has.
+fn absence(kind: RegionKind, rotor: &Rotor) -> String {
+    let Some(c) = changed(rotor, |_| {}) else {
+        return String::new();
+    };
+    match region::start(kind, &c) {
+        Ok(_) => String::new(),
+        Err(NoRegion::InertiaRatio { beta, .. }) => {
+            let region = match kind {
+                RegionKind::Simple => "simple",
+                RegionKind::UpperSimple => "second simple",
+                RegionKind::Combination => "combination",
+            };
+            format!(
+                "no {region} region at β = {}",
+                number((1e4 * beta).round() / 1e4)
+            )
+        }
+        Err(why) => why.to_string(),
+    }
 }
 
 /// The coefficients of the rotor with some inputs changed, none where it has none.
@@ -136,6 +174,7 @@ fn panel(title: &str, x: Axis, y: Axis, curves: Vec<Curve>) -> Panel {
         y: Axis { range, ..y },
         curves,
         annotations: Vec::new(),
+        note: String::new(),
     }
 }
 
@@ -229,6 +268,115 @@ mod tests {
                 "{}",
                 figure.name
             );
+        }
+    }
+
+    #[test]
+    fn a_region_that_is_not_there_is_said_to_be_absent() {
+        let figures = drawn(
+            Rotor::default()
+                .with(|p| p.disk_polar_inertia = 2.0 * p.disk_diametral_inertia)
+                .unwrap(),
+        );
+        let absent = "no combination region at β = 2";
+        for index in [1, 3, 4] {
+            let [simple, combination] = panels(&figures[index]) else {
+                panic!("two panels")
+            };
+            assert_eq!(
+                (simple.note.as_str(), combination.note.as_str()),
+                ("", absent)
+            );
+        }
+        assert_eq!(panels(&figures[5])[0].note, "");
+        assert_eq!(panels(&figures[6])[0].note, absent);
+        assert!(
+            figures[1]
+                .svg()
+                .unwrap()
+                .contains("no combination region at ")
+        );
+        let Plot::Map(map) = &figures[8].plot else {
+            panic!("a map")
+        };
+        assert_eq!(map.note, absent);
+    }
+
+    #[test]
+    fn the_second_simple_region_starts_in_figure_3() {
+        let figures = drawn(
+            Rotor::default()
+                .with(|p| p.disk_polar_inertia = 0.8 * p.disk_diametral_inertia)
+                .unwrap(),
+        );
+        let annotations = &panels(&figures[0])[0].annotations;
+        let labels: Vec<_> = annotations.iter().map(|note| note.label.as_str()).collect();
+        assert_eq!(labels.len(), 3, "{labels:?}");
+        assert!(labels[1].starts_with("second Ω_s = 2.8"), "{labels:?}");
+    }
+
+    #[test]
+    fn curves_of_the_rotors_own_crack_are_drawn_and_keep_the_colours() {
+        let own = Rotor::default()
+            .with(|p| (p.crack_depth_ratio, p.crack_position_ratio) = (0.15, 0.45))
+            .unwrap();
+        let figures = drawn(own);
+        let looks = |index: usize| -> Vec<(String, usize)> {
+            let curves = &panels(&figures[index])[0].curves;
+            let looks = curves.iter();
+            looks
+                .map(|curve| (curve.label.clone(), curve.colour))
+                .collect()
+        };
+        assert_eq!(looks(3)[4], ("σ = 0.15".to_owned(), 4));
+        let expected = [(0.5, 0), (0.4, 1), (0.3, 2), (0.45, 3)]
+            .map(|(position, colour)| (format!("l_c = {position} *L*"), colour));
+        for index in [4, 5, 6] {
+            assert_eq!(looks(index), expected, "{}", figures[index].name);
+        }
+    }
+
+    #[test]
+    fn axes_of_widths_begin_at_zero_and_those_of_coefficients_leave_out_poles() {
+        let symmetric = Rotor::default()
+            .with(|p| (p.crack_depth_ratio, p.disk_asymmetry) = (0.0, 0.0))
+            .unwrap();
+        let figures = drawn(symmetric);
+        for index in [1, 3, 4] {
+            for panel in panels(&figures[index]) {
+                assert!(
+                    panel
+                        .y
+                        .range
+                        .is_some_and(|(low, high)| low == 0.0 && high > 0.0)
+                );
+            }
+        }
+        assert!(
+            panels(&figures[2])
+                .iter()
+                .all(|panel| panel.y.range.is_none())
+        );
+        // With the disk near midspan a crack turns the coupling's sign as it deepens: ε₁₂ passes through infinity.
+        let pole = Rotor::default()
+            .with(|p| {
+                (p.disk_position_ratio, p.crack_position_ratio) = (0.49, 0.45);
+                p.crack_depth_ratio = 0.6;
+            })
+            .unwrap();
+        let figures = drawn(pole);
+        let (low, high) = panels(&figures[2])[1].y.range.unwrap();
+        assert!(low < 0.0 && high > 0.0 && high - low < 20.0, "{low} {high}");
+        let gaps = |curve: &Curve| curve.points.iter().filter(|(_, y)| y.is_none()).count();
+        let curves = &panels(&figures[2])[1].curves;
+        assert_eq!(curves.iter().map(gaps).collect::<Vec<_>>(), [0, 1, 0]);
+    }
+
+    #[test]
+    fn captions_have_the_minus_of_typography() {
+        let turned = Rotor::default().with(|p| p.crack_angle = -0.5).unwrap();
+        for figure in drawn(turned) {
+            assert!(figure.caption.contains("φ = −0.5"), "{}", figure.caption);
         }
     }
 

@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use rotor_core::quantity::Quantity;
 use rotor_core::region::RegionKind;
 use rotor_core::rotor::INPUTS;
+use rotor_core::stability::Ends;
 
 use super::analysis::{Analysis, Region};
 use crate::table::{Cell, Table, shortest, significant};
@@ -26,8 +27,34 @@ pub(crate) fn tables(analysis: &Analysis) -> Vec<Table> {
             notes: vec![format!("None: {why}.")],
         },
     }));
+    tables.extend(
+        analysis
+            .unstable_from
+            .map(|lower| open_table(analysis, lower)),
+    );
     tables.push(zup::table(&analysis.named.rotor));
     tables
+}
+
+/// The instability that has no upper end.
+fn open_table(analysis: &Analysis, lower: f64) -> Table {
+    Table {
+        title: "Instability that reaches to infinite speed (simple, where |Δ_d| > |β − 1|)"
+            .to_owned(),
+        headings: vec!["", "× ω_st", "rad/s", "rpm"],
+        rows: vec![speeds(analysis, "unstable from Ω = … upwards", lower)],
+        notes: vec!["From there on every speed is unstable.".to_owned()],
+    }
+}
+
+/// Which exact ends of a region bound no stable speed, because every speed from `unstable_from` on is unstable.
+fn no_boundary(ends: &Ends, unstable_from: f64) -> Option<&'static str> {
+    let inside = |end: f64| end > unstable_from;
+    match (inside(ends.lower), inside(ends.upper)) {
+        (true, true) => Some("Its exact ends are no boundary of stability"),
+        (false, true) => Some("Its exact upper end is no boundary of stability"),
+        (_, false) => None,
+    }
 }
 
 fn inputs(analysis: &Analysis) -> Table {
@@ -145,14 +172,19 @@ fn region_table(analysis: &Analysis, kind: RegionKind, region: &Region) -> Table
             rows.push(speeds(analysis, "exact lower end", ends.lower));
             rows.push(speeds(analysis, "exact upper end", ends.upper));
             rows.push(speeds(analysis, "exact width", ends.width()));
+            let lower = analysis.unstable_from.unwrap_or(f64::INFINITY);
+            notes.extend(no_boundary(ends, lower).map(|what| {
+                let lower = significant(lower, DIGITS);
+                format!("{what}: from {lower} × ω_st upwards every speed is unstable.")
+            }));
         }
         Err(why) => notes.push(format!("No exact ends: {why}.")),
     }
     match &region.hill {
-        Ok(ends) => rows.push(speeds(
+        Ok(hill) => rows.push(speeds(
             analysis,
             "width by Hill's method, Eq. (40)",
-            ends.width(),
+            hill.ends.width(),
         )),
         Err(why) => notes.push(format!("No width by Hill's method: {why}.")),
     }

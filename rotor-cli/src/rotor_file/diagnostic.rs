@@ -158,6 +158,9 @@ pub(crate) fn nearest<'a>(misspelt: &str, names: impl Iterator<Item = &'a str>) 
         .map(|(_, name)| name)
 }
 
+/// At most so many mistakes are drawn: a file with more is something else than a rotor.
+const MOST: usize = 20;
+
 /// Draws mistakes as text, in colour where stderr is a terminal that wants it.
 pub(crate) fn draw(source: &str, name: &str, mistakes: &[Mistake]) -> String {
     let coloured = std::io::stderr().is_terminal()
@@ -169,12 +172,17 @@ pub(crate) fn draw(source: &str, name: &str, mistakes: &[Mistake]) -> String {
     };
     let groups: Vec<_> = mistakes
         .iter()
+        .take(MOST)
         .map(|mistake| group(source, name, mistake))
         .collect();
-    let drawn: Vec<_> = groups
+    let mut drawn: Vec<_> = groups
         .iter()
         .map(|group| renderer.render(std::slice::from_ref(group)))
         .collect();
+    let more = mistakes.len().saturating_sub(MOST);
+    if more > 0 {
+        drawn.push(format!("and {more} more in {name}"));
+    }
     drawn.join("\n\n")
 }
 

@@ -1,5 +1,11 @@
 //! Runs the command in a folder of its own.
-#![allow(dead_code, missing_docs, unreachable_pub, clippy::unwrap_used)]
+#![allow(
+    dead_code,
+    missing_docs,
+    unreachable_pub,
+    clippy::unwrap_used,
+    reason = "each test uses its part, and fails by panicking"
+)]
 
 use std::io::Write;
 use std::path::{Path, PathBuf};

@@ -5,8 +5,8 @@ use std::str::FromStr;
 
 use thiserror::Error;
 
-/// How the crack's compliance enters the shaft's flexibility, Eq. (6); correction E3 in the
-/// crate's documentation.
+/// How the crack's compliance enters the shaft's flexibility, Eq. (6), with E3 of the
+/// [corrections](crate::corrections).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum CrackModel {
     /// Eq. (6) with the lever arm $-l_c$. Reproduces the zero unstable points of Section 4.

@@ -218,7 +218,9 @@ fn by_coupling(c: &Coefficients, start: Point) -> Option<[f64; 2]> {
         )
     });
     let [first, second] = ends;
-    Some([first?.y, second?.y])
+    // Where D vanishes as well no two roots need meet.
+    let sound = |end: &Point| minors(*end).are_sound();
+    Some([first.filter(sound)?.y, second.filter(sound)?.y])
 }
 
 /// The second way: both ends' speeds.

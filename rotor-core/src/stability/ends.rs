@@ -10,7 +10,7 @@
 
 use nalgebra::{Matrix4, SymmetricEigen, Vector4};
 
-use super::error::{StabilityError, check_coefficients, require};
+use super::error::{StabilityError, check_coefficients};
 use crate::equations::Coefficients;
 
 /// The two ends of an instability region, in units of the reference speed; `lower <= upper`, equal at an exact zero
@@ -34,27 +34,20 @@ impl Ends {
 /// Cap on the QR sweeps of the symmetric eigenproblem.
 const SWEEPS: usize = 200;
 
-/// The ends of all simple regions, ascending: (0.. ) pairs (lower, upper) as they come, and the lower end of a region
-/// that reaches to infinite speed, if there is one.
+/// Every speed at which a simple region ends, ascending: up to four. The first and second are the ends of a region, and so
+/// are the third and fourth; a last one without a partner is the lower end of a region that reaches to infinite speed.
+/// Where two regions overlap, the motion between the second and the third is unstable too.
 ///
 /// # Errors
 ///
 /// [`StabilityError::OutOfRange`] for coefficients that are not finite, [`StabilityError::StiffnessNotPositive`] for a
 /// shaft that gives way at rest, [`StabilityError::NoConvergence`].
-pub fn simple_region_ends(
-    c: &Coefficients,
-) -> Result<([Option<Ends>; 2], Option<f64>), StabilityError> {
+pub fn simple_region_ends(c: &Coefficients) -> Result<Vec<f64>, StabilityError> {
     check_coefficients(c)?;
     let inverse_squares = inverse_square_speeds(c)?;
-    let speed = |index: usize| inverse_squares[index].sqrt().recip();
     // Infinite at an inverse square of zero; not a number below.
-    let [first, second, third, fourth] = [speed(0), speed(1), speed(2), speed(3)];
-    let regions = [(first, second), (third, fourth)];
-    let closed = regions.map(|(lower, upper)| upper.is_finite().then_some(Ends { lower, upper }));
-    let open = regions
-        .into_iter()
-        .find(|(lower, upper)| lower.is_finite() && !upper.is_finite());
-    Ok((closed, open.map(|(lower, _)| lower)))
+    let speeds = inverse_squares.iter().map(|value| value.sqrt().recip());
+    Ok(speeds.filter(|speed| speed.is_finite()).collect())
 }
 
 /// The eigenvalues 1/Ω² of the pencil (J, K), descending.
@@ -100,31 +93,4 @@ fn inverse_square_speeds(c: &Coefficients) -> Result<Vector4<f64>, StabilityErro
     let mut values = eigen.eigenvalues;
     values.as_mut_slice().sort_by(|a, b| b.total_cmp(a));
     Ok(values)
-}
-
-/// The exact ends of the simple region (SIR) nearest to `start`, the speed Ω_s of Eq. (15).
-///
-/// # Errors
-///
-/// [`StabilityError::OutOfRange`] for a `start` that is not positive and finite or coefficients that are not finite;
-/// [`StabilityError::StiffnessNotPositive`]; [`StabilityError::Unbounded`] where the nearest region has no upper end.
-pub fn simple_ends(c: &Coefficients, start: f64) -> Result<Ends, StabilityError> {
-    require("start", start, start > 0.0, "a positive number")?;
-    let (closed, open) = simple_region_ends(c)?;
-    let distance = |ends: &Ends| (ends.lower - start).max(start - ends.upper).max(0.0);
-    let nearest = closed
-        .into_iter()
-        .flatten()
-        .min_by(|a, b| distance(a).total_cmp(&distance(b)));
-    let nearest_distance = nearest.as_ref().map_or(f64::INFINITY, distance);
-    match (nearest, open) {
-        (_, Some(lower)) if lower - start < nearest_distance => {
-            Err(StabilityError::Unbounded { lower })
-        }
-        (Some(ends), _) => Ok(ends),
-        (None, _) => Err(StabilityError::NoRegion {
-            kind: "simple",
-            reason: "no positive speed solves Phi = 0",
-        }),
-    }
 }

@@ -235,10 +235,20 @@ pub(super) fn phi_from_minors(c: &Coefficients, omega: f64, speed: f64) -> Optio
     let partner = 2.0 * speed - omega;
     let kept = [omega, partner].map(|w| Displacement::dominant(c, w, speed));
     let minors = Minors::at(c, kept, omega, speed);
-    let parts =
-        (minors.inner + minors.inner_coupling_squared).abs() + minors.inner_coupling_squared;
-    let sound = minors.inner.abs() > 0.1 * parts;
+    let sound = is_sound(minors.inner, minors.inner_coupling_squared);
     sound.then(|| (minors.first * minors.second - minors.coupling_squared) / minors.inner)
+}
+
+/// Whether D is more than what is left of two parts that cancel: where D is zero, D Φ says nothing of Φ.
+fn is_sound(inner: f64, coupling_squared: f64) -> bool {
+    inner.abs() > 0.1 * ((inner + coupling_squared).abs() + coupling_squared)
+}
+
+impl Minors<Jet> {
+    /// Whether the zeros of D Φ here are those of Φ.
+    pub(super) fn are_sound(&self) -> bool {
+        is_sound(self.inner.value, self.inner_coupling_squared.value)
+    }
 }
 
 /// Φ(Ω, Ω), as the determinant of the static stiffness in the rotor's frame,

@@ -2,7 +2,7 @@
 //!
 //! With q = e^{μt} Σ q_k e^{ikνt}, |k| ≤ h, and λ_k = μ + ikν, the harmonic k of the equation of motion reads
 //! Σ_l (λ_l² M_{k−l} + λ_l C_{k−l} + K_{k−l}) q_l = 0, where the indices −1, 0, 1 of the matrices are their Fourier
-//! coefficients. (In Eq. (40) the factor k of λ_k must be that of the harmonic that the matrix multiplies, l here.)
+//! coefficients. (E11: in Eq. (40) the factor k of λ_k must be that of the harmonic that the matrix multiplies, l here.)
 //! It is quadratic in μ and becomes a standard eigenproblem of twice the size.
 //!
 //! **Which eigenvalues count.** The untruncated problem has each exponent again as μ + imν for every whole m, with the
@@ -20,6 +20,9 @@ use super::periodic::PeriodicSystem;
 /// How far from 0 the centre of a kept copy may lie: one half, and room for what truncation moves.
 const CENTRAL: f64 = 0.6;
 
+/// More than any system needs: the matrix of a rotor with four degrees of freedom then takes 4 GB.
+const MOST_HARMONICS: usize = 1000;
+
 /// The greatest real part of the exponents of `system` with `harmonics` on each side of zero, in the inverse of the
 /// system's unit of time. Negative where every motion decays; of an undamped stable system rounding leaves about
 /// ±1e-13.
@@ -29,7 +32,7 @@ const CENTRAL: f64 = 0.6;
 ///
 /// # Errors
 ///
-/// [`StabilityError::OutOfRange`] for zero harmonics, [`StabilityError::SingularMass`],
+/// [`StabilityError::OutOfRange`] for zero harmonics or more than 1000, [`StabilityError::SingularMass`],
 /// [`StabilityError::NoConvergence`] if the Schur decomposition stops at its cap.
 pub fn growth_rate(system: &PeriodicSystem, harmonics: usize) -> Result<f64, StabilityError> {
     let growth = central_exponents(system, harmonics)?
@@ -57,8 +60,8 @@ pub fn central_exponents(
     require(
         "the number of harmonics",
         harmonics as f64,
-        harmonics >= 1,
-        "at least 1",
+        (1..=MOST_HARMONICS).contains(&harmonics),
+        "1 to 1000",
     )?;
     let companion = companion_matrix(system, harmonics)?;
     let size = companion.nrows();

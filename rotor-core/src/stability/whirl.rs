@@ -1,7 +1,7 @@
 //! Whirl frequencies of the symmetric, uncracked rotor, Eq. (13).
 
 use super::error::{StabilityError, check_coefficients, require};
-use crate::equations::Coefficients;
+use crate::equations::{self, Coefficients};
 
 /// Newton steps, each replaced by a bisection where it leaves the bracket: 64 bisections alone reach the last digit.
 const STEPS: usize = 100;
@@ -19,7 +19,7 @@ const STEPS: usize = 100;
 pub fn whirl_frequencies(c: &Coefficients, speed: f64) -> Result<[f64; 4], StabilityError> {
     check_coefficients(c)?;
     require("speed", speed, true, "a finite number")?;
-    let reserve = c.delta - c.gamma * c.gamma;
+    let reserve = equations::coupled_stiffness(c);
     if reserve <= 0.0 {
         return Err(StabilityError::StiffnessNotPositive {
             reserve,
@@ -48,10 +48,7 @@ fn root(
 ) -> Result<f64, StabilityError> {
     let mut omega = 0.5 * (negative + positive);
     for _ in 0..STEPS {
-        let h = (1.0 - omega) * (1.0 + omega);
-        let g = c.delta + omega * (c.beta * speed - omega);
-        let value = h * g - c.gamma * c.gamma;
-        let slope = -2.0 * omega * g + h * (c.beta * speed - 2.0 * omega);
+        let (value, [slope, _]) = equations::f_n::gradient(omega, speed, c);
         if value > 0.0 {
             positive = omega;
         } else {

@@ -6,7 +6,7 @@ use rotor_core::region::RegionKind;
 use rotor_core::rotor::Rotor;
 use rotor_core::zero_unstable_point::zup_depth;
 
-use super::{angle_axis, changed, deepest, depth_axis, spaced, width_at, width_symbol};
+use super::{absence, angle_axis, changed, deepest, depth_axis, spaced, width_at, width_symbol};
 use crate::figure::{Annotation, Figure, Map, Plot};
 
 /// Values of each axis.
@@ -56,6 +56,7 @@ pub(super) fn figure(rotor: &Rotor, kind: RegionKind) -> Figure {
             value_label: format!("{symbol} / ω_{{st}} [–]"),
             curves: Vec::new(),
             annotations,
+            note: absence(kind, rotor),
         })),
     }
 }

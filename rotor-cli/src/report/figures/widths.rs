@@ -8,8 +8,8 @@ use rotor_core::region::{self, RegionKind};
 use rotor_core::rotor::Rotor;
 
 use super::{
-    DEPTHS, PANELS, POSITIONS, angle_axis, axis, changed, line, panel, spaced, width_at,
-    width_symbol,
+    DEPTHS, PANELS, POSITIONS, absence, angle_axis, axis, changed, line, panel, spaced, width_at,
+    width_symbol, with_own,
 };
 use crate::figure::{Axis, Curve, Dash, Figure, Mark, Panel, Plot, Symbol};
 use crate::report::hill;
@@ -23,7 +23,7 @@ const FLOQUET_INTERVALS: usize = 16;
 pub(super) fn verified(rotor: &Rotor) -> Figure {
     let panels = PANELS.map(|(kind, title)| {
         let curves = changed(rotor, |_| {}).map_or_else(Vec::new, |c| three_ways(kind, &c));
-        width_panel(kind, title, curves)
+        width_panel(rotor, kind, title, curves)
     });
     figure(
         "figure-4",
@@ -35,9 +35,9 @@ pub(super) fn verified(rotor: &Rotor) -> Figure {
 
 /// Fig. 6: for several crack depths.
 pub(super) fn over_depths(rotor: &Rotor) -> Figure {
-    let variants: Vec<_> = DEPTHS
-        .iter()
-        .map(|&depth| {
+    let variants: Vec<_> = with_own(&DEPTHS, rotor.parameters().crack_depth_ratio)
+        .into_iter()
+        .map(|depth| {
             (
                 format!("σ = {depth}"),
                 changed(rotor, |p| p.crack_depth_ratio = depth),
@@ -47,16 +47,16 @@ pub(super) fn over_depths(rotor: &Rotor) -> Figure {
     figure(
         "figure-6",
         "Figure 6. Effect of the crack's depth upon the widths, Eq. (31).",
-        PANELS.map(|(kind, title)| width_panel(kind, title, variant_curves(kind, &variants))),
+        PANELS
+            .map(|(kind, title)| width_panel(rotor, kind, title, variant_curves(kind, &variants))),
     )
 }
 
 /// Fig. 7: for several crack positions.
 pub(super) fn over_positions(rotor: &Rotor) -> Figure {
-    let variants: Vec<_> = POSITIONS
-        .iter()
-        .rev()
-        .map(|&position| {
+    let variants: Vec<_> = with_own(&POSITIONS, rotor.parameters().crack_position_ratio)
+        .into_iter()
+        .map(|position| {
             (
                 format!("l_c = {position} *L*"),
                 changed(rotor, |p| p.crack_position_ratio = position),
@@ -66,7 +66,8 @@ pub(super) fn over_positions(rotor: &Rotor) -> Figure {
     figure(
         "figure-7",
         "Figure 7. Effect of the crack's position upon the widths, Eq. (31).",
-        PANELS.map(|(kind, title)| width_panel(kind, title, variant_curves(kind, &variants))),
+        PANELS
+            .map(|(kind, title)| width_panel(rotor, kind, title, variant_curves(kind, &variants))),
     )
 }
 
@@ -78,7 +79,7 @@ fn figure(name: &str, caption: &str, panels: [Panel; 2]) -> Figure {
     }
 }
 
-fn width_panel(kind: RegionKind, title: &str, curves: Vec<Curve>) -> Panel {
+fn width_panel(rotor: &Rotor, kind: RegionKind, title: &str, curves: Vec<Curve>) -> Panel {
     let y = axis(format!("{} / ω_{{st}} [–]", width_symbol(kind)));
     let most = curves
         .iter()
@@ -86,8 +87,11 @@ fn width_panel(kind: RegionKind, title: &str, curves: Vec<Curve>) -> Panel {
         .filter_map(|(_, y)| *y)
         .fold(0.0, f64::max);
     // From zero, so that a region that closes is seen to close.
-    let range = (most > 0.0).then_some((0.0, 1.05 * most));
-    panel(title, angle_axis(), Axis { range, ..y }, curves)
+    let range = Some((0.0, if most > 0.0 { 1.05 * most } else { 0.1 }));
+    Panel {
+        note: absence(kind, rotor),
+        ..panel(title, angle_axis(), Axis { range, ..y }, curves)
+    }
 }
 
 fn three_ways(kind: RegionKind, c: &Coefficients) -> Vec<Curve> {
@@ -103,9 +107,10 @@ fn three_ways(kind: RegionKind, c: &Coefficients) -> Vec<Curve> {
     };
     let hill = |angle: f64| {
         let c = at(angle);
-        let start = region::start(kind, &c).ok()?;
-        let width = region::width(kind, &c).ok()?;
-        hill::ends(&c, start, width).ok().map(|ends| ends.width())
+        let exact = region::exact_ends(kind, &c).ok()?;
+        hill::ends_near(&c, exact)
+            .ok()
+            .map(|hill| hill.ends.width())
     };
     let floquet: Vec<_> = angles
         .par_iter()

@@ -4,7 +4,9 @@ use rotor_core::region::{self, RegionKind};
 use rotor_core::rotor::Rotor;
 use rotor_core::zero_unstable_point::zup_depth;
 
-use super::{POSITIONS, axis, changed, deepest, depth_axis, line, panel, spaced};
+use super::{
+    POSITIONS, absence, axis, changed, deepest, depth_axis, line, panel, spaced, with_own,
+};
 use crate::figure::{Annotation, Curve, Dash, Figure, Plot};
 
 /// Points of a curve.
@@ -12,11 +14,7 @@ const POINTS: usize = 161;
 
 /// The figure of a region.
 pub(super) fn figure(rotor: &Rotor, kind: RegionKind) -> Figure {
-    let mut positions = POSITIONS.to_vec();
-    let own = rotor.parameters().crack_position_ratio;
-    if !positions.contains(&own) {
-        positions.insert(0, own);
-    }
+    let positions = with_own(&POSITIONS, rotor.parameters().crack_position_ratio);
     let mut curves: Vec<Curve> = Vec::new();
     let mut annotations = Vec::new();
     for (index, &position) in positions.iter().enumerate() {
@@ -59,6 +57,7 @@ pub(super) fn figure(rotor: &Rotor, kind: RegionKind) -> Figure {
     }
     let mut panel = panel("", depth_axis(rotor), axis("Δ_d [–]"), curves);
     panel.annotations = annotations;
+    panel.note = absence(kind, rotor);
     let (name, region, angle) = match kind {
         RegionKind::Simple | RegionKind::UpperSimple => ("figure-8", "SIR", "π/2"),
         RegionKind::Combination => ("figure-9", "CIR", "0"),

@@ -1,0 +1,198 @@
+use super::symbols::balanced;
+use crate::show;
+
+const TABLE: &str = r#"latex(speed = "\\Omega", delta_k = "\\Delta k", f_start = "\\Omega_s")"#;
+
+/// The LaTeX of `pub fn f` in a module with a table and some neighbours.
+fn latex(function: &str) -> String {
+    let source = format!(
+        "#[symbolic({TABLE})] mod m {{
+            pub const edge: f64 = 32.0; pub struct Pair {{ pub beta: f64, pub k_tt: f64 }}
+            pub fn f_n(omega: f64, speed: f64, c: &Pair) -> f64 {{ omega - c.beta * speed }}
+            pub fn f_start(c: &Pair) -> f64 {{ c.beta }}
+            {function}
+        }}"
+    );
+    let text = show::latex(&show::module(&source).unwrap(), "f").unwrap();
+    assert!(balanced(&text), "{text}");
+    text.trim_end().to_owned()
+}
+
+/// The right side of a formula of `x`, `y`, `c`.
+fn body(expression: &str) -> String {
+    let text = latex(&format!(
+        "pub fn f(x: f64, y: f64, c: &Pair) -> f64 {{ {expression} }}"
+    ));
+    text.strip_prefix("f(x, y) = ").unwrap_or(&text).to_owned()
+}
+
+#[test]
+fn parentheses_stand_where_they_are_needed() {
+    let cases = [
+        ("x + (y + 1.0)", "x + y + 1"),
+        ("x - (y + 1.0)", "x - (y + 1)"),
+        ("x - (y - 1.0) * 2.0", r"x - (y - 1) \cdot 2"),
+        ("(x + y) * (x - y)", "(x + y) (x - y)"),
+        ("(x * y).powi(2)", "(x y)^2"),
+        ("x * y.powi(12)", "x y^{12}"),
+        ("(x / y).powi(-1)", r"\left(\frac{x}{y}\right)^{-1}"),
+        ("x.powi(2).powi(3)", "(x^2)^3"),
+        ("-x * y", "-x y"),
+        ("(-x).powi(2)", "(-x)^2"),
+        ("x * -y", "-x y"),
+        ("x + -y", "x - y"),
+        ("x - -y", "x + y"),
+        ("-(x + y)", "-(x + y)"),
+        ("(x + y) / -y", r"-\frac{x + y}{y}"),
+        ("edge * x * y", r"\mathrm{edge}\, x y"),
+        ("x * edge / y", r"\frac{x\, \mathrm{edge}}{y}"),
+        ("x * y / c.beta * 2.0", r"\frac{x y}{\beta} \cdot 2"),
+    ];
+    for (source, expected) in cases {
+        assert_eq!(body(source), expected, "{source}");
+    }
+}
+
+#[test]
+fn functions_and_constants() {
+    let cases = [
+        ("(1.0 - x).sqrt()", r"\sqrt{1 - x}"),
+        ("(2.0 * x).cos()", r"\cos(2 x)"),
+        ("x.sin().powi(2)", r"\sin^2(x)"),
+        ("(x / y).abs()", r"\left|\frac{x}{y}\right|"),
+        ("x.max(0.0)", r"\max(x, 0)"),
+        ("(-x).exp()", "e^{-x}"),
+        ("x.recip()", r"\frac{1}{x}"),
+        ("x.mul_add(y, -1.0)", "x y - 1"),
+        ("std::f64::consts::FRAC_PI_2 * x", r"\frac{\pi}{2} x"),
+        ("2.5e3 * x", r"2.5 \cdot 10^3 x"),
+        (
+            "integral(|t| (t * x).cos() + t, 0.0..y)",
+            r"\int_{0}^{y} (\cos(t x) + t) \,\mathrm{d}t",
+        ),
+    ];
+    for (source, expected) in cases {
+        assert_eq!(body(source), expected, "{source}");
+    }
+}
+
+#[test]
+fn names() {
+    let cases = [
+        ("omega", r"\omega"),
+        ("omega_bar", r"\bar{\omega}"),
+        ("omega_bar_2", r"\bar{\omega}_2"),
+        ("epsilon_12", r"\epsilon_{12}"),
+        ("f11", "f_{11}"),
+        ("k_tt", "k_{tt}"),
+        ("moment_t_1", r"\mathrm{moment}_{t 1}"),
+        ("edge_factor", r"\mathrm{edge~factor}"),
+        ("by_bending", r"\mathrm{by~bending}"),
+        ("speed", r"\Omega"),
+        ("psi_x", r"\psi_x"),
+    ];
+    for (name, expected) in cases {
+        assert_eq!(
+            show::module(&format!("#[symbolic({TABLE})] mod m {{}}"))
+                .unwrap()
+                .latex_symbols()
+                .latex(name),
+            expected
+        );
+    }
+    assert_eq!(
+        latex("pub fn f(delta_k: f64) -> f64 { delta_k.powi(2) }"),
+        r"f(\Delta k) = (\Delta k)^2"
+    );
+}
+
+#[test]
+fn calls_and_partials() {
+    let cases = [
+        ("f_start(c) * x", r"\Omega_s x"),
+        ("f_n(x + 1.0, y, c)", "f_n(x + 1, y)"),
+        (
+            "f_n::d_omega(x, y, c)",
+            r"\frac{\partial f_n}{\partial \omega}(x, y)",
+        ),
+        (
+            "f_n::d_omega_speed(x, y, c)",
+            r"\frac{\partial^2 f_n}{\partial \omega\, \partial \Omega}(x, y)",
+        ),
+        (
+            "f_n::d_c_beta(x, y, c)",
+            r"\frac{\partial f_n}{\partial \beta}(x, y)",
+        ),
+        (
+            "f_n::d_omega_omega(x, y, c)",
+            r"\frac{\partial^2 f_n}{\partial \omega^2}(x, y)",
+        ),
+    ];
+    for (source, expected) in cases {
+        assert_eq!(body(source), expected, "{source}");
+    }
+}
+
+#[test]
+fn lines() {
+    let source = "pub fn f(x: f64, c: &Pair) -> Pair { let h = x * c.beta; let h = h + 1.0; Pair { beta: h, k_tt: x } }";
+    assert_eq!(
+        latex(source),
+        "\\begin{aligned}\n\\beta &= h'\\\\\nk_{tt} &= x\\\\\nh &= x \\beta\\\\\nh' &= h + 1\n\\end{aligned}"
+    );
+    let pair = latex("pub fn f(x: f64) -> (f64, f64) { (x, -x) }");
+    assert_eq!(
+        pair,
+        "\\begin{aligned}\nf_1(x) &= x\\\\\nf_2(x) &= -x\n\\end{aligned}"
+    );
+    let long = format!(
+        "pub fn f(x: f64) -> f64 {{ {} }}",
+        ["12345678.5 * x"; 12].join(" - ")
+    );
+    assert!(latex(&long).contains("x\\\\\n&\\quad - 12345678.5 x"));
+}
+
+#[test]
+fn two_structs_of_one_type_are_told_apart() {
+    let source = "pub fn f(a: &Pair, b: &Pair) -> f64 { a.beta - b.beta * b.k_tt }";
+    assert_eq!(latex(source), r"f(a, b) = a.\beta - b.\beta k_{tt}");
+}
+
+#[test]
+fn mistakes_are_told() {
+    let shown = show::module(
+        "#[symbolic] mod m { pub fn f(x: f64) -> f64 { if x > 0.0 { x } else { 0.0 } } }",
+    )
+    .unwrap();
+    let error = show::latex(&shown, "f").unwrap_err();
+    assert!(
+        error.to_string().contains("is not a part of a formula"),
+        "{error}"
+    );
+    let error = show::latex(&shown, "g").unwrap_err();
+    assert!(error.to_string().contains("did you mean `f`?"), "{error}");
+}
+
+#[test]
+fn tables_are_checked() {
+    let cases = [
+        (r#"latex(a = "x", a = "y")"#, "has a symbol already"),
+        (r#"latex(a = "{x")"#, "braces of the symbol do not match"),
+        (r#"latex(a = 2)"#, "not a name and its symbol"),
+        (r#"tex(a = "x")"#, "takes a table of symbols"),
+        ("latex = 2 3", "expected"),
+    ];
+    for (attribute, expected) in cases {
+        let text = crate::expand(
+            attribute.parse().unwrap(),
+            quote::quote!(
+                mod m {}
+            ),
+        )
+        .to_string();
+        assert!(
+            text.contains("compile_error") && text.contains(expected),
+            "{text}"
+        );
+    }
+}

@@ -1,0 +1,327 @@
+//! Calls of other formulas, of their partials and tables, and integrals.
+
+use std::collections::BTreeMap;
+
+use proc_macro2::Span;
+use syn::spanned::Spanned;
+use syn::{Expr, Pat};
+
+use super::{Reader, Scope, identifier, partial_symbols};
+use crate::diagnostics::nearest;
+use crate::graph::{ExprId, SymbolId};
+use crate::parse::module::{Function, ParameterKind};
+use crate::parse::value::Value;
+
+impl<'m> Reader<'m> {
+    pub(super) fn function_call(
+        &mut self,
+        call: &syn::ExprCall,
+        scope: &mut Scope,
+    ) -> Option<Value> {
+        let Expr::Path(path) = call.func.as_ref() else {
+            return self.unsupported(
+                call.func.span(),
+                "this call",
+                "call a formula of the module by its name",
+            );
+        };
+        let segments: Vec<String> = path
+            .path
+            .segments
+            .iter()
+            .map(|segment| segment.ident.to_string())
+            .collect();
+        match segments.as_slice() {
+            [name] if name == "integral" && self.module.function(name).is_none() => {
+                self.integral(call, scope)
+            }
+            [name] => {
+                let function = self.known_function(name, path.path.span())?;
+                let arguments = self.arguments(function, call, scope)?;
+                self.call_or_table(function, arguments)
+            }
+            [name, partial] => {
+                if name == "f64" {
+                    let hint = format!("write `x.{partial}(…)`");
+                    return self.unsupported(path.path.span(), "a method as a function", &hint);
+                }
+                let function = self.known_function(name, path.path.span())?;
+                let arguments = self.arguments(function, call, scope)?;
+                if partial == "value" {
+                    return self.call_or_table(function, arguments);
+                }
+                self.partial(function, partial, arguments, path.path.span())
+            }
+            _ => self.unsupported(
+                path.path.span(),
+                "a call outside the module",
+                "formulas call formulas of their own module",
+            ),
+        }
+    }
+
+    fn known_function(&mut self, name: &str, span: Span) -> Option<&'m Function> {
+        let module = self.module;
+        let Some(function) = module.function(name) else {
+            let names: Vec<String> = module.functions.iter().map(Function::name).collect();
+            let hint = match nearest(name, names.iter().map(String::as_str)) {
+                Some(candidate) => format!("did you mean `{candidate}`?"),
+                None => "formulas call formulas of their own module".to_owned(),
+            };
+            self.diagnostics
+                .error_with_hint(span, format!("unknown function `{name}`"), hint);
+            return None;
+        };
+        if self.calls.iter().any(|caller| caller == name) {
+            return self.unsupported(span, "a function that calls itself", "write the terms out");
+        }
+        Some(function)
+    }
+
+    fn arguments(
+        &mut self,
+        function: &Function,
+        call: &syn::ExprCall,
+        scope: &mut Scope,
+    ) -> Option<Vec<Value>> {
+        let expected = function.parameters.len();
+        if !function.readable {
+            // It is reported where it stands.
+            self.all(call.args.iter(), scope);
+            return None;
+        }
+        if call.args.len() != expected {
+            let names: Vec<String> = function
+                .parameters
+                .iter()
+                .map(|parameter| parameter.name.to_string())
+                .collect();
+            self.diagnostics.error_with_hint(
+                call.span(),
+                format!(
+                    "`{}` takes {expected} argument{}, not {}",
+                    function.name(),
+                    if expected == 1 { "" } else { "s" },
+                    call.args.len()
+                ),
+                format!("it is {}({})", function.name(), names.join(", ")),
+            );
+            return None;
+        }
+        let arguments = self.all(call.args.iter(), scope)?;
+        for ((argument, parameter), expression) in
+            arguments.iter().zip(&function.parameters).zip(&call.args)
+        {
+            let fits = match parameter.kind {
+                ParameterKind::Number => matches!(argument, Value::Number(_)),
+                ParameterKind::Array(length) => {
+                    matches!(argument, Value::Array(values) if values.len() == length)
+                }
+                ParameterKind::Struct => {
+                    matches!(argument, Value::Parameter { .. } | Value::Struct { .. })
+                }
+            };
+            if !fits {
+                let hint = match parameter.kind {
+                    ParameterKind::Number => "it is a number".to_owned(),
+                    ParameterKind::Array(length) => format!("it is an array of {length} numbers"),
+                    ParameterKind::Struct => "it is a struct".to_owned(),
+                };
+                self.diagnostics.error_with_hint(
+                    expression.span(),
+                    format!(
+                        "`{}` of `{}` can't be {}",
+                        parameter.name,
+                        function.name(),
+                        argument.description()
+                    ),
+                    hint,
+                );
+                return None;
+            }
+        }
+        Some(arguments)
+    }
+
+    /// A function's value: through its table where it is tabulated, else through its body.
+    pub(super) fn call_or_table(
+        &mut self,
+        function: &Function,
+        arguments: Vec<Value>,
+    ) -> Option<Value> {
+        let Some(approximation) = &function.approximation else {
+            // A function that is wrong in itself is reported where it stands, not at each of its calls.
+            let before = self.diagnostics.clone();
+            let result = self.call(function, arguments);
+            if result.is_none() {
+                self.diagnostics = before;
+            }
+            return result;
+        };
+        // A table that could not be made is reported where its function stands.
+        let table = self
+            .tables
+            .get(self.module, function, approximation)?
+            .clone();
+        let position = self
+            .graph
+            .tables
+            .iter()
+            .position(|known| known.name == table.name)
+            .unwrap_or_else(|| {
+                self.graph.tables.push(table);
+                self.graph.tables.len() - 1
+            });
+        let Some(Value::Number(argument)) = arguments.first() else {
+            return None;
+        };
+        let value = self.graph.tabulated(position, 0, *argument);
+        let factor = self.factor(approximation, *argument)?;
+        Some(Value::Number(self.graph.multiply(factor, value)))
+    }
+
+    /// `f::d_x(…)` or `f::d_x_y(…)`: a partial derivative of another formula, at these arguments.
+    fn partial(
+        &mut self,
+        function: &'m Function,
+        partial: &str,
+        arguments: Vec<Value>,
+        span: Span,
+    ) -> Option<Value> {
+        // Entered before it is known to exist, so that a call of one that does not is reported once.
+        self.partials.insert((function.name(), partial.to_owned()));
+        let prefix = format!("{}#", function.name());
+        let placeholders = self.symbolic_arguments(function, &prefix);
+        let value = match self.call_or_table(function, placeholders)? {
+            Value::Number(id) => id,
+            other => {
+                let message = format!(
+                    "`{}` gives {}, a partial needs a number",
+                    function.name(),
+                    other.description()
+                );
+                self.diagnostics.error_with_hint(
+                    span,
+                    message,
+                    "write a function that gives the one number",
+                );
+                return None;
+            }
+        };
+        let mut derivative = value;
+        for symbol in self.derived_by(function, partial, &prefix, span)? {
+            derivative = crate::differentiate::gradient(&mut self.graph, derivative, &[symbol])
+                .first()
+                .copied()?;
+        }
+        let names = function.parameters.iter();
+        let names = names.map(|parameter| parameter.name.to_string());
+        let scope: Scope = names.zip(arguments).collect();
+        let mut replacements = BTreeMap::new();
+        for symbol in self.graph.symbols_of(&[derivative]) {
+            let name = self.graph.symbol(symbol).name.clone();
+            if let Some(path) = name.strip_prefix(&prefix) {
+                replacements.insert(symbol, self.resolve(path, &scope, span)?);
+            }
+        }
+        let result = self.graph.substitute(&[derivative], &replacements);
+        result.first().map(|id| Value::Number(*id))
+    }
+
+    /// The symbols, named with the prefix, that a partial is by.
+    fn derived_by(
+        &mut self,
+        function: &Function,
+        partial: &str,
+        prefix: &str,
+        span: Span,
+    ) -> Option<Vec<SymbolId>> {
+        let mut names: Vec<(String, SymbolId)> = Vec::new();
+        // Also those that the value does not depend on: the partial by them is zero.
+        for (id, symbol) in self.graph.symbols() {
+            if let Some(path) = symbol.name.strip_prefix(prefix) {
+                names.push((identifier(path), id));
+            }
+        }
+        let by = partial
+            .strip_prefix("d_")
+            .and_then(|suffix| partial_symbols(suffix, &names));
+        if by.is_none() {
+            let known: Vec<String> = names.iter().map(|(name, _)| format!("d_{name}")).collect();
+            self.diagnostics.error_with_hint(
+                span,
+                format!("`{}` has no partial `{partial}`", function.name()),
+                format!(
+                    "its partials are {} and those by two of these names",
+                    known.join(", ")
+                ),
+            );
+        }
+        by
+    }
+
+    /// The number at `c.beta` or `a[0]` of a scope.
+    fn resolve(&mut self, path: &str, scope: &Scope, span: Span) -> Option<ExprId> {
+        let expression: Expr = syn::parse_str(path).ok()?;
+        let before = self.diagnostics.clone();
+        let found = self.number(&expression, &mut scope.clone());
+        if found.is_none() {
+            self.diagnostics = before;
+            self.diagnostics.error_with_hint(
+                span,
+                format!("the argument has no `{path}`"),
+                "the formula's partial uses it",
+            );
+        }
+        found
+    }
+
+    /// `integral(|x| …, a..b)`
+    fn integral(&mut self, call: &syn::ExprCall, scope: &mut Scope) -> Option<Value> {
+        let parts: Vec<&Expr> = call.args.iter().collect();
+        let [Expr::Closure(closure), Expr::Range(range)] = parts.as_slice() else {
+            return self.unsupported(
+                call.span(),
+                "an integral of this form",
+                "write `integral(|x| …, a..b)`",
+            );
+        };
+        let variable = match closure.inputs.iter().collect::<Vec<_>>().as_slice() {
+            [Pat::Ident(name)] => name.ident.to_string(),
+            [Pat::Type(typed)] => match typed.pat.as_ref() {
+                Pat::Ident(name) => name.ident.to_string(),
+                _ => {
+                    return self.unsupported(
+                        typed.span(),
+                        "this variable of integration",
+                        "it is a plain name",
+                    );
+                }
+            },
+            _ => {
+                return self.unsupported(
+                    closure.span(),
+                    "this integrand",
+                    "it has one variable: `|x| …`",
+                );
+            }
+        };
+        let (Some(start), Some(end)) = (&range.start, &range.end) else {
+            return self.unsupported(range.span(), "an open range", "an integral has two bounds");
+        };
+        let (lower, upper) = (self.number(start, scope), self.number(end, scope));
+        self.integrals += 1;
+        let symbol = self
+            .graph
+            .symbol_named(&format!("{variable}@{}", self.integrals));
+        let mut inner = scope.clone();
+        inner.insert(
+            variable,
+            Value::Number(self.graph.symbol_expression(symbol)),
+        );
+        let integrand = self.number(&closure.body, &mut inner)?;
+        Some(Value::Number(
+            self.graph.integral(symbol, integrand, lower?, upper?),
+        ))
+    }
+}

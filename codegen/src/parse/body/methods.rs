@@ -1,0 +1,161 @@
+//! Methods of numbers: powers, roots and the elementary functions.
+
+use num_traits::{ToPrimitive, Zero};
+use proc_macro2::Span;
+use syn::spanned::Spanned;
+use syn::{Expr, Lit, UnOp};
+
+use super::{Reader, Scope};
+use crate::diagnostics::nearest;
+use crate::graph::{ExprId, Function as Elementary, Node, Rational};
+use crate::parse::value::Value;
+
+/// The most binary digits of an exact constant's numerator and denominator, ten times those of any `f64`.
+const MOST_BITS: u64 = 20_000;
+
+/// The largest power of one factor.
+const MOST_POWER: u32 = 10_000;
+
+impl<'m> Reader<'m> {
+    pub(super) fn method(
+        &mut self,
+        call: &syn::ExprMethodCall,
+        scope: &mut Scope,
+    ) -> Option<Value> {
+        const METHODS: [(&str, usize); 13] = [
+            ("powi", 1),
+            ("sqrt", 0),
+            ("sin", 0),
+            ("cos", 0),
+            ("tan", 0),
+            ("exp", 0),
+            ("ln", 0),
+            ("abs", 0),
+            ("signum", 0),
+            ("recip", 0),
+            ("mul_add", 2),
+            ("min", 1),
+            ("max", 1),
+        ];
+        let receiver = self.number(&call.receiver, scope);
+        let name = call.method.to_string();
+        let Some((_, arity)) = METHODS.into_iter().find(|(method, _)| *method == name) else {
+            // What is no number may well have other methods.
+            receiver?;
+            let hint = match name.as_str() {
+                "powf" => "a whole power is `powi(n)`, a root is `sqrt()`, any other is `(y * x.ln()).exp()`".to_owned(),
+                _ => match nearest(&name, METHODS.map(|(method, _)| method)) {
+                    Some(method) => format!("did you mean `{method}`?"),
+                    None => format!("the methods are {}", METHODS.map(|(method, _)| method).join(", ")),
+                },
+            };
+            self.diagnostics.error_with_hint(
+                call.method.span(),
+                format!("unknown method `{name}`"),
+                hint,
+            );
+            return None;
+        };
+        if call.args.len() != arity {
+            self.diagnostics.error_with_hint(
+                call.method.span(),
+                format!(
+                    "`{name}` takes {arity} argument{}, not {}",
+                    if arity == 1 { "" } else { "s" },
+                    call.args.len()
+                ),
+                format!("write `x.{name}({})`", ["", "y", "y, z"][arity]),
+            );
+            return None;
+        }
+        if name == "powi" {
+            let exponent = self.exponent(&call.args[0]);
+            let power = self.graph.power(receiver?, exponent?);
+            return self.of_bounded_size(power, call.span());
+        }
+        let arguments: Vec<Option<ExprId>> = call
+            .args
+            .iter()
+            .map(|argument| self.number(argument, scope))
+            .collect();
+        let arguments: Vec<ExprId> = arguments.into_iter().collect::<Option<_>>()?;
+        let result = self.apply(&name, receiver?, &arguments);
+        self.of_bounded_size(result, call.span())
+    }
+
+    /// A product or power, unless its exponents or exact constants grow beyond what any formula has.
+    pub(super) fn of_bounded_size(&mut self, id: ExprId, span: Span) -> Option<Value> {
+        let fits = |value: &Rational| {
+            let bits = value.numer().bits().max(value.denom().bits());
+            let nearest = || value.to_f64().unwrap_or(f64::NAN);
+            bits <= MOST_BITS && (value.is_zero() || nearest().is_normal())
+        };
+        let bounded = match self.graph.node(id) {
+            Node::Number(value) => fits(value),
+            Node::Product(factors) => factors.iter().all(|(_, exponent)| exponent.unsigned_abs() <= MOST_POWER),
+            Node::Sum(terms) => terms.iter().all(|(operand, coefficient)| {
+                let power = |factors: &[(ExprId, i32)]| factors.iter().all(|(_, n)| n.unsigned_abs() <= MOST_POWER);
+                fits(coefficient) && !matches!(self.graph.node(*operand), Node::Product(factors) if !power(factors))
+            }),
+            _ => true,
+        };
+        if bounded {
+            Some(Value::Number(id))
+        } else {
+            self.unsupported(
+                span,
+                "a power or constant of this size",
+                "constants are gathered exactly, and an f64 holds from 2.2e-308 to 1.8e308",
+            )
+        }
+    }
+
+    fn apply(&mut self, method: &str, receiver: ExprId, arguments: &[ExprId]) -> ExprId {
+        let function = match (method, arguments) {
+            ("recip", _) => return self.graph.power(receiver, -1),
+            ("mul_add", [factor, summand]) => {
+                let product = self.graph.multiply(receiver, *factor);
+                return self.graph.add(product, *summand);
+            }
+            ("sqrt", _) => Elementary::Sqrt,
+            ("sin", _) => Elementary::Sin,
+            ("cos", _) => Elementary::Cos,
+            ("tan", _) => Elementary::Tan,
+            ("exp", _) => Elementary::Exp,
+            ("ln", _) => Elementary::Ln,
+            ("min", _) => Elementary::Min,
+            ("max", _) => Elementary::Max,
+            ("signum", _) => Elementary::Sign,
+            _ => Elementary::Abs,
+        };
+        let operands = std::iter::once(receiver)
+            .chain(arguments.iter().copied())
+            .collect();
+        self.graph.apply(function, operands)
+    }
+
+    fn exponent(&mut self, argument: &Expr) -> Option<i32> {
+        let (negative, literal) = match argument {
+            Expr::Unary(syn::ExprUnary {
+                op: UnOp::Neg(_),
+                expr,
+                ..
+            }) => (true, expr.as_ref()),
+            other => (false, other),
+        };
+        if let Expr::Lit(syn::ExprLit {
+            lit: Lit::Int(value),
+            ..
+        }) = literal
+            && let Ok(value) = value.base10_parse::<i32>()
+            && value <= 1000
+        {
+            return Some(if negative { -value } else { value });
+        }
+        self.unsupported(
+            argument.span(),
+            "this exponent",
+            "powi takes a whole number literal of at most 1000",
+        )
+    }
+}

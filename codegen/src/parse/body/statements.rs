@@ -1,0 +1,163 @@
+//! The statements of a formula: bindings, their patterns, and the value that a block ends with.
+
+use syn::spanned::Spanned;
+use syn::visit::Visit;
+use syn::{Expr, Pat, Stmt};
+
+use super::{Reader, Scope};
+use crate::parse::value::Value;
+
+impl<'m> Reader<'m> {
+    /// The block's value; only a function's own block may say `return`, which in another would leave that function.
+    pub(super) fn block(
+        &mut self,
+        block: &syn::Block,
+        scope: &mut Scope,
+        own: bool,
+    ) -> Option<Value> {
+        let mut ending = None;
+        let mut failed = false;
+        for statement in &block.stmts {
+            if ending.is_some() && !failed {
+                let hint = "the formula ends at the expression before it";
+                self.diagnostics.error_with_hint(
+                    statement.span(),
+                    "this statement is never reached",
+                    hint,
+                );
+                failed = true;
+            }
+            if failed && ending.is_some() {
+                break;
+            }
+            match statement {
+                Stmt::Local(local) => failed |= self.binding(local, scope).is_none(),
+                Stmt::Expr(
+                    Expr::Return(syn::ExprReturn {
+                        expr: Some(value), ..
+                    }),
+                    _,
+                ) if own => {
+                    let value = self.expression(value, scope);
+                    failed |= value.is_none();
+                    ending = Some(value);
+                }
+                Stmt::Expr(value, None) => {
+                    let value = self.expression(value, scope);
+                    failed |= value.is_none();
+                    ending = Some(value);
+                }
+                other => {
+                    self.diagnostics.error_with_hint(
+                        other.span(),
+                        "this statement is not a part of a formula",
+                        "a formula is `let` bindings and an expression",
+                    );
+                    failed = true;
+                }
+            }
+        }
+        if ending.is_none() && !failed {
+            self.diagnostics.error_with_hint(
+                block.brace_token.span.join(),
+                "the formula has no value",
+                "end it with an expression",
+            );
+        }
+        ending.flatten().filter(|_| !failed)
+    }
+
+    fn binding(&mut self, local: &syn::Local, scope: &mut Scope) -> Option<()> {
+        let Some(init) = local.init.as_ref().filter(|init| init.diverge.is_none()) else {
+            self.diagnostics.error_with_hint(
+                local.span(),
+                "a binding needs its value at once",
+                "write `let x = …;`",
+            );
+            self.bind_placeholders(&local.pat, scope);
+            return None;
+        };
+        let value = self.expression(&init.expr, scope);
+        let failed = value.is_none();
+        // The names of a failed binding count as known, so that one mistake is reported once.
+        if self.bind(&local.pat, value, scope).is_none() {
+            self.bind_placeholders(&local.pat, scope);
+            return None;
+        }
+        (!failed).then_some(())
+    }
+
+    /// Makes all names of a pattern known, so that its mistake is reported once.
+    fn bind_placeholders(&mut self, pattern: &Pat, scope: &mut Scope) {
+        struct Names(Vec<String>);
+        impl<'ast> Visit<'ast> for Names {
+            fn visit_pat_ident(&mut self, name: &'ast syn::PatIdent) {
+                self.0.push(name.ident.to_string());
+            }
+        }
+        let mut names = Names(Vec::new());
+        names.visit_pat(pattern);
+        for name in names.0 {
+            let placeholder = Value::Number(self.graph.one());
+            scope.entry(name).or_insert(placeholder);
+        }
+    }
+
+    fn bind(&mut self, pattern: &Pat, value: Option<Value>, scope: &mut Scope) -> Option<()> {
+        match pattern {
+            Pat::Ident(name)
+                if name.by_ref.is_none() && name.mutability.is_none() && name.subpat.is_none() =>
+            {
+                let text = name.ident.to_string();
+                if let Some(Value::Number(id)) = &value {
+                    self.graph.suggest_name(*id, &text);
+                }
+                let placeholder = Value::Number(self.graph.one());
+                scope.insert(text, value.unwrap_or(placeholder));
+                Some(())
+            }
+            Pat::Type(typed) => self.bind(&typed.pat, value, scope),
+            Pat::Paren(inner) => self.bind(&inner.pat, value, scope),
+            Pat::Wild(_) => Some(()),
+            Pat::Tuple(tuple) => {
+                let parts = match value {
+                    Some(Value::Tuple(parts)) if parts.len() == tuple.elems.len() => {
+                        parts.into_iter().map(Some).collect()
+                    }
+                    None => vec![None; tuple.elems.len()],
+                    Some(other) => {
+                        self.diagnostics.error_with_hint(
+                            tuple.span(),
+                            format!(
+                                "{} can't be taken apart into {} parts",
+                                other.description(),
+                                tuple.elems.len()
+                            ),
+                            "bind it to one name, or take apart a tuple of as many parts",
+                        );
+                        return None;
+                    }
+                };
+                let mut complete = Some(());
+                for (pattern, part) in tuple.elems.iter().zip(parts) {
+                    complete = self.bind(pattern, part, scope).and(complete);
+                }
+                complete
+            }
+            Pat::Ident(name) => {
+                let hint = "a formula never changes a number; bind the new one to another name";
+                self.diagnostics
+                    .error_with_hint(name.span(), "a binding is a plain name", hint);
+                None
+            }
+            other => {
+                self.diagnostics.error_with_hint(
+                    other.span(),
+                    "this pattern is not a part of a formula",
+                    "bind a name or a tuple of names",
+                );
+                None
+            }
+        }
+    }
+}

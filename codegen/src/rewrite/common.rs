@@ -1,0 +1,64 @@
+//! What all terms of a sum are multiplied or divided by, taken out: xy − 2x²z is x(y − 2xz), x/z + y/z is (x + y)/z.
+//!
+//! That shares a division and may let factors cancel, or hide a sum that another expression has too; so it is no rule,
+//! but one of the ways among which the cheapest is chosen.
+
+use std::collections::BTreeMap;
+
+use super::rules::parts;
+use super::{product, simplify};
+use crate::graph::{ExprId, Graph, Node};
+
+/// Rebuilds the roots with the common factors of every sum taken out.
+pub fn take_out(graph: &Graph, roots: &[ExprId]) -> (Graph, Vec<ExprId>) {
+    let mut target = Graph::with_symbols_of(graph);
+    let roots = graph.rebuild(&mut target, roots, |target, _, image| {
+        let image = simplify(target, image);
+        factored(target, image).unwrap_or(image)
+    });
+    (target, roots)
+}
+
+/// The sum as a product, where its terms have factors in common.
+fn factored(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
+    let Node::Sum(terms) = graph.node(id).clone() else {
+        return None;
+    };
+    let powers: Vec<BTreeMap<ExprId, i32>> = terms
+        .iter()
+        .map(|(term, _)| parts(graph, *term).1.into_iter().collect())
+        .collect();
+    let proper = powers
+        .iter()
+        .filter(|factors| factors.values().map(|n| n.unsigned_abs()).sum::<u32>() > 1)
+        .count();
+    let (first, rest) = powers
+        .split_first()
+        .filter(|(_, rest)| !rest.is_empty() && proper > 1)?;
+    let mut common: Vec<(ExprId, i32)> = Vec::new();
+    for (factor, exponent) in first {
+        let shared = rest.iter().fold(*exponent, |shared, factors| {
+            let other = factors.get(factor).copied().unwrap_or(0);
+            match (shared.signum(), other.signum()) {
+                (1, 1) => shared.min(other),
+                (-1, -1) => shared.max(other),
+                _ => 0,
+            }
+        });
+        if shared != 0 {
+            common.push((*factor, shared));
+        }
+    }
+    if common.is_empty() {
+        return None;
+    }
+    let mut divided = Vec::new();
+    for (term, coefficient) in terms {
+        let inverse = common.iter().map(|(factor, exponent)| (*factor, -exponent));
+        let factors = inverse.chain([(term, 1)]).collect();
+        divided.push((product(graph, factors), coefficient));
+    }
+    let inner = graph.sum(divided);
+    common.push((simplify(graph, inner), 1));
+    Some(product(graph, common))
+}

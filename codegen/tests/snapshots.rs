@@ -1,0 +1,106 @@
+//! The code of small formulas as it is, so that every change of it is seen.
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "a test fails by panicking"
+)]
+
+mod support;
+
+use codegen::emit;
+use codegen::emit::scalar::Form;
+use proc_macro2::TokenStream;
+
+const SMALL: &str = include_str!("formulas/small.rs");
+const DETERMINANT: &str = include_str!("formulas/determinant.rs");
+
+/// The module `name` of generated forms in an expansion.
+fn forms_of(source: &str, name: &str) -> String {
+    let expanded: syn::ItemMod =
+        syn::parse2(codegen::expand(TokenStream::new(), source.parse().unwrap())).unwrap();
+    let is_forms = |item: &syn::Item| {
+        let text = quote::ToTokens::to_token_stream(item).to_string();
+        text.contains(&format!("pub mod {name} {{"))
+    };
+    let forms: Vec<TokenStream> = expanded
+        .content
+        .unwrap()
+        .1
+        .iter()
+        .filter(|item| is_forms(item))
+        .map(quote::ToTokens::to_token_stream)
+        .collect();
+    assert_eq!(forms.len(), 1, "{name}");
+    emit::format(forms.into_iter().collect()).unwrap()
+}
+
+macro_rules! snapshot {
+    ($test:ident, $source:expr) => {
+        #[test]
+        fn $test() {
+            insta::assert_snapshot!(stringify!($test), forms_of($source, stringify!($test)));
+        }
+    };
+}
+
+snapshot!(determinant, DETERMINANT);
+snapshot!(turned, SMALL);
+snapshot!(clamped, SMALL);
+snapshot!(quotient, SMALL);
+snapshot!(fractions, SMALL);
+snapshot!(circle_on_diagonal, SMALL);
+snapshot!(tabulated, SMALL);
+snapshot!(in_columns, SMALL);
+
+#[test]
+fn a_determinant_with_ten_partials_takes_96_operations() {
+    let mut expansion = support::expansion(DETERMINANT);
+    let form = support::generated(&mut expansion, "determinant", Form::Gradient);
+    assert_eq!(form.by.len(), 10);
+    assert_eq!(
+        (form.circuit.cost().operations(), form.circuit.cost().div),
+        (96, 0)
+    );
+}
+
+#[test]
+fn emitted_code_is_formatted_as_rustfmt_does() {
+    let small = support::expansion(SMALL).function_names();
+    let all = small
+        .iter()
+        .map(|name| (SMALL, name.as_str()))
+        .chain([(DETERMINANT, "determinant")]);
+    let texts: Vec<String> = all
+        .filter(|(_, name)| *name != "slow")
+        .map(|(source, name)| forms_of(source, name))
+        .collect();
+    for text in &texts {
+        let formatted = rustfmt(text);
+        assert!(
+            *text == formatted,
+            "rustfmt would change\n{text}to\n{formatted}"
+        );
+    }
+}
+
+/// The text as rustfmt writes it.
+fn rustfmt(text: &str) -> String {
+    use std::io::Write;
+    use std::process::{Command, Stdio};
+    let mut process = Command::new("rustfmt")
+        .args(["--edition", "2024"])
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .expect("rustfmt is a part of the toolchain");
+    process
+        .stdin
+        .take()
+        .unwrap()
+        .write_all(text.as_bytes())
+        .unwrap();
+    let output = process.wait_with_output().unwrap();
+    assert!(output.status.success());
+    String::from_utf8(output.stdout).unwrap()
+}
