@@ -9,6 +9,7 @@ mod layout;
 pub mod literal;
 pub mod namer;
 pub mod scalar;
+pub mod staged;
 
 use proc_macro2::TokenStream;
 

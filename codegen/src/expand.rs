@@ -12,19 +12,21 @@ use crate::cost::Cost;
 use crate::diagnostics::Diagnostics;
 use crate::differentiate;
 use crate::emit::columns;
-use crate::emit::namer::table_function;
+use crate::emit::namer::{pack_table_function, table_function};
 use crate::emit::scalar::{self, Form};
+use crate::emit::staged;
 use crate::factor::circuit::Circuit;
 use crate::factor::{self, Outputs};
 use crate::graph::{ExprId, Graph, Node, SymbolId};
 use crate::latex::Symbols;
-use crate::parse::attributes::{Request, Target};
+use crate::parse::attributes::{Request, StageRequest, Target};
 use crate::parse::body::{Reader, identifier};
 use crate::parse::module::{Function, Module, ParameterKind};
 use crate::parse::value::Value;
 use crate::rewrite;
+use crate::stage::{self, Staged};
 use crate::tables::Tables;
-use fallback::{column_stubs, integral_function, one_deeper, stub, stub_function};
+use fallback::{column_stubs, integral_function, one_deeper, staged_stub, stub, stub_function};
 
 /// Expands a module of formulas: the module as written, with a module of generated forms beside each function that asks
 /// for some. What is wrong comes out as `compile_error!`s at their tokens, all at once, beside everything that is right
@@ -254,6 +256,9 @@ impl Expansion {
                 column_forms.push(generated);
             }
         }
+        for form in &column_forms {
+            self.use_tables_in_packs(&form.graph, &form.circuit);
+        }
         if !column_forms.is_empty() {
             items.extend(self.column_items(function, &column_forms));
         } else if request.columns {
@@ -263,6 +268,9 @@ impl Expansion {
                 function,
                 request.gradient.is_some(),
             ));
+        }
+        for stage in &request.stages {
+            items.push(self.staged_item(function, stage));
         }
         if let Some((form, cost)) = richest {
             self.check_budget(function, request, form, cost);
@@ -387,10 +395,10 @@ impl Expansion {
         ))];
         for form in generated {
             let names = output_names(&formula.value, &form.graph, &form.by);
-            let name = if form.form == Form::Value {
-                "columns"
+            let (body, name) = if form.form == Form::Value {
+                ("Rows", "columns")
             } else {
-                "gradient_columns"
+                ("GradientRows", "gradient_columns")
             };
             let cost = form.circuit.cost();
             let documentation = [
@@ -410,13 +418,46 @@ impl Expansion {
                 &form.graph,
                 &form.circuit,
                 &symbols,
-                name,
-                &names,
-                &documentation,
+                &columns::Form {
+                    body,
+                    name,
+                    outputs: &names,
+                    documentation: &documentation,
+                },
             ));
         }
         self.uses_columns = true;
         items
+    }
+
+    /// The module of a staged form.
+    fn staged_item(&mut self, function: &Function, request: &StageRequest) -> TokenStream {
+        match self.staged(function, request) {
+            Some((staged, inner, outputs)) => {
+                self.use_tables(&staged.graph, &staged.fixed);
+                for circuit in [&staged.along, &staged.points] {
+                    self.use_tables_in_packs(&staged.graph, circuit);
+                }
+                staged::module(&staged, function, &inner, &outputs)
+            }
+            None => staged_stub(function, request),
+        }
+    }
+
+    /// A function in stages, its inner symbols, and the names of its results. None where it could not be read or a name is
+    /// unknown, which is reported.
+    pub fn staged(
+        &mut self,
+        function: &Function,
+        request: &StageRequest,
+    ) -> Option<(Staged, Vec<SymbolId>, Vec<String>)> {
+        let inner = self.symbols(function, &request.inner)?;
+        let formula = self.formula(&function.name())?;
+        let (graph, outputs) = derive(formula, Form::Value, &[]);
+        let names = output_names(&formula.value, &graph, &[]);
+        let set = inner.iter().copied().collect();
+        let circuit = stage::minimise(&graph, &outputs, &set);
+        Some((stage::split(&graph, &circuit, &set), inner, names))
     }
 
     /// The function `d_x` or `d_x_y`.
@@ -475,6 +516,25 @@ impl Expansion {
             pub fn #name(#parameters) -> f64 {
                 #(#statements)*
                 #(#outputs)*
+            }
+        }
+    }
+
+    /// The tables of a circuit that runs in packs.
+    fn use_tables_in_packs(&mut self, graph: &Graph, circuit: &Circuit) {
+        self.use_tables(graph, circuit);
+        for net in circuit.nets() {
+            if let factor::circuit::Operation::Tabulated { table, order, .. } =
+                circuit.operation(net)
+                && let Some(known) = graph.tables.get(*table)
+            {
+                let name = table_function(graph, *table, *order);
+                let pack_name = pack_table_function(&name);
+                let idents = [&name, &pack_name].map(|name| format_ident!("{name}"));
+                let [name, of_pack] = &idents;
+                self.used_tables
+                    .entry(pack_name)
+                    .or_insert_with(|| known.derivative(*order).emit_for_packs(name, of_pack));
             }
         }
     }

@@ -104,6 +104,7 @@ pub mod latex;
 pub mod parse;
 pub mod rewrite;
 pub mod show;
+pub mod stage;
 pub mod tables;
 
 pub use expand::expand;

@@ -52,6 +52,7 @@ snapshot!(fractions, SMALL);
 snapshot!(circle_on_diagonal, SMALL);
 snapshot!(tabulated, SMALL);
 snapshot!(in_columns, SMALL);
+snapshot!(resultant, SMALL);
 
 #[test]
 fn a_determinant_with_ten_partials_takes_96_operations() {

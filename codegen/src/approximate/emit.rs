@@ -55,6 +55,38 @@ impl PiecewisePolynomial {
         }
     }
 
+    /// The function `fn pack_name(x: Pack) -> Pack` with the same bits as `name`, which [`emit`](Self::emit) gives: Horner's
+    /// rule for a single piece, row by row where the rows may lie on different pieces.
+    pub fn emit_for_packs(&self, name: &Ident, pack_name: &Ident) -> TokenStream {
+        let documentation = format!(" [`{name}()`] of each row of a pack.");
+        let body = match self.coefficients() {
+            [coefficients] => {
+                let (center, scale) = (float(self.center(0)), float(self.scale(0)));
+                let mut falling = coefficients.iter().rev().copied().map(float);
+                let first = falling.next();
+                let (rest, one) = (falling, coefficients.len() == 1);
+                if one {
+                    quote!(0.0 * x + #first)
+                } else {
+                    quote! {
+                        let t = (x - #center) * #scale;
+                        let value = #first;
+                        #(let value = value * t + #rest;)*
+                        value
+                    }
+                }
+            }
+            _ => quote!(x.map(#name)),
+        };
+        quote! {
+            #[doc = #documentation]
+            #[inline(always)]
+            fn #pack_name<S: ::lanes::Simd>(x: ::lanes::Pack<S>) -> ::lanes::Pack<S> {
+                #body
+            }
+        }
+    }
+
     /// Lines of the emitted function's documentation.
     fn documentation(&self, summary: &str) -> Vec<String> {
         let breakpoints = self.breakpoints();

@@ -33,6 +33,15 @@ pub fn error_type() -> TokenStream {
         }
 
         impl ::core::error::Error for ColumnLengthError {}
+
+        impl ColumnLengthError {
+            #[allow(dead_code)]
+            fn of(error: ::lanes::LengthError, columns: &[&'static str]) -> Self {
+                let ::lanes::LengthError { column, length, expected } = error;
+                let column = columns.get(column).copied().unwrap_or_default();
+                Self { column, length, expected }
+            }
+        }
     }
 }
 
@@ -66,10 +75,11 @@ pub fn inputs_type(symbols: &[String]) -> TokenStream {
 
 /// What the columns of these symbols are called: `c.beta` is `c_beta`, or `c_beta_` where another one is `c_beta`.
 fn fields(symbols: &[String]) -> Vec<Ident> {
+    // `simd` is what a body calls the instructions.
     let mut names: Vec<String> = Vec::new();
     for symbol in symbols {
         let mut name = identifier(symbol);
-        while names.contains(&name) {
+        while names.contains(&name) || name == "simd" {
             name.push('_');
         }
         names.push(name);
@@ -83,71 +93,102 @@ pub fn names_of(graph: &Graph, symbols: &[SymbolId]) -> Vec<String> {
     symbols.iter().map(name).collect()
 }
 
-/// A function over columns around a circuit; `name` is its name, `outputs` the names of the results.
+/// A form over columns: the body of a row, and the function that runs it over all rows.
+pub struct Form<'a> {
+    /// Name of the type that stands for the body.
+    pub body: &'a str,
+    /// Name of the function.
+    pub name: &'a str,
+    /// Names of the results.
+    pub outputs: &'a [String],
+    /// Lines of the function's documentation.
+    pub documentation: &'a [String],
+}
+
+/// A form over columns of the symbols around a circuit.
 pub fn function(
     graph: &Graph,
     circuit: &Circuit,
     symbols: &[SymbolId],
-    name: &str,
-    outputs: &[String],
-    documentation: &[String],
+    form: &Form<'_>,
 ) -> TokenStream {
-    let fields = fields(&names_of(graph, symbols));
+    let names = names_of(graph, symbols);
+    let fields = fields(&names);
+    let (count, along) = (literal(form.outputs.len()), literal(fields.len()));
+    let [body, name] = [form.body, form.name].map(|name| format_ident!("{name}"));
+    let kernel = kernel(graph, circuit, &body, &[], symbols);
+    let (documentation, outputs) = (form.documentation, form.outputs);
+    let body_doc = format!(" What [`{name}()`] does in each row.");
+    let columns = fields.iter().map(ToString::to_string);
+    quote! {
+        #[doc = #body_doc]
+        #kernel
+
+        #(#[doc = #documentation])*
+        pub fn #name(inputs: &Columns<'_>, results: [&mut [f64]; #count]) -> Result<(), ColumnLengthError> {
+            let columns = [#(#columns,)* #(#outputs),*];
+            let along = [#(inputs.#fields),*];
+            let stored = ::lanes::rows::<#body, #along, #count>(along, results);
+            stored.map_err(|error| ColumnLengthError::of(error, &columns))
+        }
+    }
+}
+
+/// A type that implements `lanes::Kernel` with the circuit as its body: `fixed` are the symbols that all rows share,
+/// `along` those of which each row has its own.
+pub fn kernel(
+    graph: &Graph,
+    circuit: &Circuit,
+    name: &Ident,
+    fixed: &[SymbolId],
+    along: &[SymbolId],
+) -> TokenStream {
+    let symbols: Vec<SymbolId> = fixed.iter().chain(along).copied().collect();
+    let fields = fields(&names_of(graph, &symbols));
     let columns: BTreeMap<SymbolId, &Ident> = symbols.iter().copied().zip(&fields).collect();
     let symbol = |symbol: SymbolId| {
         columns
             .get(&symbol)
             .map_or_else(TokenStream::new, |field| quote!(#field))
     };
-    // The function's own names give way to those of the columns.
-    let free = |wish: &str| {
-        let mut name = wish.to_owned();
-        while fields.iter().any(|field| *field == name) {
-            name.push('_');
-        }
-        format_ident!("{name}")
-    };
-    let (inputs, row, rows) = (free("inputs"), free("row"), free("rows"));
-    let results: Vec<Ident> = (0..outputs.len())
-        .map(|position| free(&format!("result_{position}")))
-        .collect();
-    let first = results.first();
-    let taken = fields
-        .iter()
-        .chain(&results)
-        .chain([&row, &rows])
-        .map(ToString::to_string);
+    let simd = format_ident!("simd");
+    let taken = fields.iter().chain([&simd]).map(ToString::to_string);
     let Body {
         statements,
-        outputs: values,
-    } = Writer::new(graph, circuit, &symbol, taken).body();
-    let (name, count) = (
-        format_ident!("{name}"),
-        Literal::usize_unsuffixed(outputs.len()),
-    );
-    let field_names = fields.iter().map(ToString::to_string);
+        outputs,
+    } = Writer::new(graph, circuit, &symbol, taken)
+        .in_packs()
+        .body();
+    let counts = [fixed.len(), along.len(), outputs.len()].map(literal);
+    let [fixed_count, along_count, results] = &counts;
+    let (fixed, along) = fields.split_at(fixed.len());
+    // Nothing is taken apart where there is nothing.
+    let opened = [(fixed, "fixed"), (along, "along")].into_iter();
+    let opened = opened.filter(|(names, _)| !names.is_empty());
+    let opened = opened.map(|(names, from)| {
+        let from = format_ident!("{from}");
+        quote!(let [#(#names),*] = #from;)
+    });
     quote! {
-        #(#[doc = #documentation])*
-        pub fn #name(#inputs: &Columns<'_>, results: [&mut [f64]; #count]) -> Result<(), ColumnLengthError> {
-            let [#(#results),*] = results;
-            let #rows = #first.len();
-            let lengths = [
-                #((#field_names, #inputs.#fields.len()),)*
-                #((#outputs, #results.len()),)*
-            ];
-            for (column, length) in lengths {
-                if length != #rows {
-                    return Err(ColumnLengthError { column, length, expected: #rows });
-                }
-            }
-            #(let #fields = &#inputs.#fields[..#rows];)*
-            #(let #results = &mut #results[..#rows];)*
-            for #row in 0..#rows {
-                #(let #fields = #fields[#row];)*
+        #[derive(Clone, Copy, Debug)]
+        pub struct #name;
+
+        impl ::lanes::Kernel<#fixed_count, #along_count, #results> for #name {
+            #[inline(always)]
+            fn evaluate<S: ::lanes::Simd>(
+                simd: S,
+                fixed: [::lanes::Pack<S>; #fixed_count],
+                along: [::lanes::Pack<S>; #along_count],
+            ) -> [::lanes::Pack<S>; #results] {
+                #(#opened)*
                 #(#statements)*
-                #(#results[#row] = #values;)*
+                [#(#outputs),*]
             }
-            Ok(())
         }
     }
+}
+
+/// A count as it stands in a type.
+pub fn literal(count: usize) -> Literal {
+    Literal::usize_unsuffixed(count)
 }

@@ -7,7 +7,7 @@ use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
 use quote::{format_ident, quote};
 
 use super::literal;
-use super::namer::{LONGEST, Namer, method, table_function};
+use super::namer::{LONGEST, Namer, method, pack_table_function, table_function};
 use crate::factor::circuit::{Circuit, Net, Operation};
 use crate::graph::{Function, Graph, Rational, SymbolId};
 
@@ -48,11 +48,21 @@ impl Piece {
     }
 }
 
+/// What the numbers of the written code are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Numbers {
+    /// An `f64` each.
+    Single,
+    /// A `lanes::Pack` each; the instructions are called `simd`.
+    Packs,
+}
+
 /// Writes one circuit.
 pub struct Writer<'a> {
     graph: &'a Graph,
     circuit: &'a Circuit,
     symbol: &'a dyn Fn(SymbolId) -> TokenStream,
+    numbers: Numbers,
     namer: Namer,
 }
 
@@ -80,12 +90,22 @@ impl<'a> Writer<'a> {
                     Some(table_function(graph, *table, *order))
                 }
                 _ => None,
-            });
+            })
+            .flat_map(|name| [pack_table_function(&name), name]);
         Self {
             graph,
             circuit,
             symbol,
+            numbers: Numbers::Single,
             namer: Namer::new(taken.into_iter().chain(tables)),
+        }
+    }
+
+    /// The same for packs of numbers.
+    pub fn in_packs(self) -> Self {
+        Self {
+            numbers: Numbers::Packs,
+            ..self
         }
     }
 
@@ -106,7 +126,7 @@ impl<'a> Writer<'a> {
             .circuit
             .outputs
             .iter()
-            .map(|output| self.operand(*output).tokens)
+            .map(|output| self.value(*output).tokens)
             .collect();
         Body {
             statements,
@@ -216,6 +236,17 @@ impl<'a> Writer<'a> {
         }
     }
 
+    /// An operand where its type matters: of a function, or a result.
+    fn value(&self, net: Net) -> Piece {
+        match (self.numbers, self.circuit.as_number(net)) {
+            (Numbers::Packs, Some(value)) => {
+                let value = literal::number(value);
+                Piece::atom(quote!(::lanes::Pack::splat(simd, #value)))
+            }
+            _ => self.operand(net),
+        }
+    }
+
     fn operation(&self, net: Net) -> Piece {
         match self.circuit.operation(net) {
             Operation::Number(value) => {
@@ -233,7 +264,12 @@ impl<'a> Writer<'a> {
             Operation::Sum(terms) => self.sum(terms),
             Operation::Product(factors) => self.product(factors),
             Operation::Quotient(numerator, denominator) => {
-                let numerator = self.operand(*numerator).at_least(Precedence::Product);
+                // Of two numbers one must be a pack; a number alone may be divided by one.
+                let numerator = match self.circuit.as_number(*denominator) {
+                    Some(_) => self.value(*numerator),
+                    None => self.operand(*numerator),
+                };
+                let numerator = numerator.at_least(Precedence::Product);
                 let denominator = self.operand(*denominator).at_least(Precedence::Negative);
                 Piece {
                     tokens: quote!(#numerator / #denominator),
@@ -246,8 +282,12 @@ impl<'a> Writer<'a> {
                 order,
                 argument,
             } => {
-                let function = format_ident!("{}", table_function(self.graph, *table, *order));
-                let argument = self.operand(*argument).tokens;
+                let name = table_function(self.graph, *table, *order);
+                let function = match self.numbers {
+                    Numbers::Single => format_ident!("{name}"),
+                    Numbers::Packs => format_ident!("{}", pack_table_function(&name)),
+                };
+                let argument = self.value(*argument).tokens;
                 Piece::atom(quote!(#function(#argument)))
             }
         }
@@ -342,6 +382,11 @@ impl<'a> Writer<'a> {
 
     fn apply(&self, function: Function, operands: &[Net]) -> Piece {
         if let (Function::Select, [a, b, x, y]) = (function, operands) {
+            if self.numbers == Numbers::Packs {
+                let a = self.value(*a).at_least(Precedence::Atom);
+                let [b, x, y] = [b, x, y].map(|operand| self.value(*operand).tokens);
+                return Piece::atom(quote!(#a.select_le(#b, #x, #y)));
+            }
             let [a, b, x, y] = [a, b, x, y].map(|operand| self.operand(*operand).tokens);
             return Piece {
                 tokens: quote!(if #a <= #b { #x } else { #y }),
@@ -351,18 +396,18 @@ impl<'a> Writer<'a> {
         let name: Option<Ident> = method(function).map(|name| format_ident!("{name}"));
         let mut operands = operands.iter();
         let receiver = operands.next().map(|operand| self.receiver(*operand));
-        let rest = operands.map(|operand| self.operand(*operand).tokens);
+        let rest = operands.map(|operand| self.value(*operand).tokens);
         Piece::atom(quote!(#receiver.#name(#(#rest),*)))
     }
 
     /// The operand of a method; the type of a bare literal must be said.
     fn receiver(&self, net: Net) -> TokenStream {
-        match self.circuit.as_number(net) {
-            Some(value) => {
+        match (self.numbers, self.circuit.as_number(net)) {
+            (Numbers::Single, Some(value)) => {
                 let value = literal::number(value);
                 quote!(f64::from(#value))
             }
-            None => self.operand(net).at_least(Precedence::Atom),
+            _ => self.value(net).at_least(Precedence::Atom),
         }
     }
 }

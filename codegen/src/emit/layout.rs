@@ -43,6 +43,17 @@ pub(super) fn as_rustfmt(text: &str) -> String {
                 &words.join(" "),
                 &mut output,
             );
+        } else if line.trim_start().starts_with("let ") && line.ends_with(" = [") {
+            let rest = lines
+                .by_ref()
+                .take_while_inclusive(|line| !line.trim_start().starts_with(']'));
+            let elements: Vec<&str> = rest.map(str::trim).collect();
+            let (end, elements) = elements.split_last().unwrap_or((&"];", &[]));
+            let elements = elements.join(" ");
+            broken(
+                &format!("{line}{}{end}", elements.trim_end_matches(',')),
+                &mut output,
+            );
         } else if let Some(lines) = choice(line) {
             lines.iter().for_each(|line| push(line, &mut output));
         } else {

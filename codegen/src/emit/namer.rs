@@ -177,3 +177,8 @@ pub fn table_function(graph: &Graph, table: usize, order: usize) -> String {
         _ => format!("{name}_table_derivative_{order}"),
     }
 }
+
+/// Name of the function that evaluates it for a pack.
+pub fn pack_table_function(table_function: &str) -> String {
+    format!("{table_function}_of_pack")
+}

@@ -5,6 +5,8 @@ use quote::{ToTokens, format_ident, quote, quote_spanned};
 
 use crate::emit::columns;
 use crate::emit::scalar::Form;
+use crate::emit::staged;
+use crate::parse::attributes::StageRequest;
 use crate::parse::module::{Function, Module, Parameter, ParameterKind};
 
 /// How many numbers a result holds, as its type says.
@@ -126,6 +128,43 @@ pub(super) fn column_stubs(
                 loop {}
             }
         )*
+    }
+}
+
+/// A staged form that could not be generated: its names, so that their users are not reported too.
+pub(super) fn staged_stub(function: &Function, request: &StageRequest) -> TokenStream {
+    let inner: Vec<String> = request
+        .inner
+        .iter()
+        .map(|target| target.symbol.clone())
+        .collect();
+    let module = format_ident!("{}", staged::module_name(&inner));
+    let fixed = stub_function(function, &quote!(fixed), &quote!([f64; FIXED]));
+    let kernels = ["Along", "Points"].map(|name| format_ident!("{name}"));
+    quote! {
+        /// Not generated: see the errors of the module.
+        pub mod #module {
+            use super::*;
+
+            pub const FIXED: usize = 0;
+            pub const TABLES: usize = 0;
+            #fixed
+            #(
+                pub struct #kernels;
+
+                impl<const FIXED: usize, const ALONG: usize, const RESULTS: usize>
+                    ::lanes::Kernel<FIXED, ALONG, RESULTS> for #kernels
+                {
+                    fn evaluate<S: ::lanes::Simd>(
+                        _: S,
+                        _: [::lanes::Pack<S>; FIXED],
+                        _: [::lanes::Pack<S>; ALONG],
+                    ) -> [::lanes::Pack<S>; RESULTS] {
+                        loop {}
+                    }
+                }
+            )*
+        }
     }
 }
 

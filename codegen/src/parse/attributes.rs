@@ -30,8 +30,19 @@ pub struct Request {
     pub hessian: Option<Vec<Target>>,
     /// Forms over slices, of the value and of the gradient where there is one.
     pub columns: bool,
+    /// The value in stages, each along its inner parameters.
+    pub stages: Vec<StageRequest>,
     /// Greatest counts of the richest form.
     pub budget: Vec<Limit>,
+}
+
+/// A staged form.
+#[derive(Clone, Debug)]
+pub struct StageRequest {
+    /// The parameters that run along the points.
+    pub inner: Vec<Target>,
+    /// Where it is asked for.
+    pub span: Span,
 }
 
 /// One entry of a budget.
@@ -160,7 +171,7 @@ fn head(expression: &Expr) -> Option<(&Ident, Vec<&Expr>)> {
     }
 }
 
-const FORMS: [&str; 5] = ["value", "gradient", "hessian", "columns", "budget"];
+const FORMS: [&str; 6] = ["value", "gradient", "hessian", "columns", "stage", "budget"];
 
 fn request(words: &[Expr], span: Span, diagnostics: &mut Diagnostics) -> Request {
     let mut request = Request::default();
@@ -168,7 +179,7 @@ fn request(words: &[Expr], span: Span, diagnostics: &mut Diagnostics) -> Request
         diagnostics.error_with_hint(
             span,
             "`generate` names no form",
-            "write one of value, gradient(x, y), hessian(x, y), columns",
+            "write one of value, gradient(x, y), hessian(x, y), columns, stage(x)",
         );
     }
     let mut asked: Vec<String> = Vec::new();
@@ -181,7 +192,8 @@ fn request(words: &[Expr], span: Span, diagnostics: &mut Diagnostics) -> Request
             );
             continue;
         };
-        if asked.contains(&name.to_string()) {
+        // There may be a stage along every parameter.
+        if asked.contains(&name.to_string()) && name != "stage" {
             diagnostics.error_with_hint(
                 name.span(),
                 format!("`{name}` is asked for twice"),
@@ -195,6 +207,7 @@ fn request(words: &[Expr], span: Span, diagnostics: &mut Diagnostics) -> Request
             "columns" => request.columns = true,
             "gradient" => request.gradient = Some(targets(&arguments, diagnostics)),
             "hessian" => request.hessian = Some(targets(&arguments, diagnostics)),
+            "stage" => request.stages.extend(stage(name, &arguments, diagnostics)),
             "budget" => budget(&mut request.budget, name, &arguments, diagnostics),
             other => {
                 let hint = nearest(other, FORMS).map_or_else(
@@ -206,6 +219,21 @@ fn request(words: &[Expr], span: Span, diagnostics: &mut Diagnostics) -> Request
         }
     }
     request
+}
+
+fn stage(name: &Ident, arguments: &[&Expr], diagnostics: &mut Diagnostics) -> Option<StageRequest> {
+    if arguments.is_empty() {
+        diagnostics.error_with_hint(
+            name.span(),
+            "the stage names no inner parameter",
+            "write for example stage(c.crack_angle): what changes from point to point",
+        );
+        return None;
+    }
+    Some(StageRequest {
+        inner: targets(arguments, diagnostics),
+        span: name.span(),
+    })
 }
 
 fn targets(arguments: &[&Expr], diagnostics: &mut Diagnostics) -> Vec<Target> {

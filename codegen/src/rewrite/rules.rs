@@ -45,7 +45,7 @@ pub const RULES: &[Rule] = &[
 ];
 
 /// A rational multiple of a product, taken apart.
-pub(super) fn parts(graph: &Graph, id: ExprId) -> (Rational, Vec<(ExprId, i32)>) {
+pub(crate) fn parts(graph: &Graph, id: ExprId) -> (Rational, Vec<(ExprId, i32)>) {
     match graph.node(id) {
         Node::Number(value) => (value.clone(), Vec::new()),
         Node::Sum(terms) if terms.len() == 1 => {

@@ -54,4 +54,11 @@ mod small {
     pub fn in_columns(row: f64, inputs: &Point) -> f64 {
         row * inputs.x / inputs.y.sqrt()
     }
+
+    /// The resultant of two forces that turn against each other, in stages along the angle.
+    #[domain(scale > 0.0)]
+    #[generate(stage(angle), stage(a, scale))]
+    pub fn resultant(scale: f64, a: f64, b: f64, angle: f64) -> f64 {
+        3.0 * scale * (((a + b) * angle.cos()).powi(2) + ((a - b) * angle.sin()).powi(2)).sqrt()
+    }
 }

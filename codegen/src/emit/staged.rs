@@ -1,0 +1,103 @@
+//! The staged form: a function for what stands still, and the bodies of two loops.
+
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+
+use super::columns;
+use super::expression::{Body, Writer};
+use super::scalar;
+use crate::graph::SymbolId;
+use crate::parse::body::identifier;
+use crate::parse::module::Function;
+use crate::stage::Staged;
+
+/// What the module of a staged form is called: `along_x`, `along_x_and_y`.
+pub fn module_name(symbols: &[String]) -> String {
+    let last = |symbol: &String| identifier(symbol.rsplit('.').next().unwrap_or(symbol));
+    let names: Vec<String> = symbols.iter().map(last).collect();
+    format!("along_{}", names.join("_and_"))
+}
+
+/// The module of a staged form; `inner` are the symbols that run along the points, `outputs` the names of the results.
+pub fn module(
+    staged: &Staged,
+    function: &Function,
+    inner: &[SymbolId],
+    outputs: &[String],
+) -> TokenStream {
+    let graph = &staged.graph;
+    let names = columns::names_of(graph, inner);
+    let module = format_ident!("{}", module_name(&names));
+    let quoted: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
+    let (formula, inner_names) = (function.name(), quoted.join(" and "));
+    let module_doc = format!(
+        " [`{formula}`](super::super::{formula}()) along {inner_names}: what the other numbers alone decide is computed \
+         once, what these alone decide once for each of their values, and only the rest at every point."
+    );
+    let points_doc = format!(
+        " What is done at every point: {}. Results are {}.",
+        staged.points.cost(),
+        outputs.join(", ")
+    );
+    let along_doc = format!(
+        " What is done for every value of {inner_names}: {}.",
+        staged.along.cost()
+    );
+    let fixed_doc = format!(
+        " What is done once, in order for [`Points`]: {}.",
+        staged.fixed.cost()
+    );
+    let fixed_count = columns::literal(staged.fixed_symbols.len());
+    let tables = columns::literal(staged.along_symbols.len());
+    let fixed = fixed(staged, function);
+    let along = columns::kernel(graph, &staged.along, &format_ident!("Along"), &[], inner);
+    let points = columns::kernel(
+        graph,
+        &staged.points,
+        &format_ident!("Points"),
+        &staged.fixed_symbols,
+        &staged.along_symbols,
+    );
+    quote! {
+        #[doc = #module_doc]
+        pub mod #module {
+            use super::*;
+
+            /// How many numbers [`fixed()`] gives.
+            pub const FIXED: usize = #fixed_count;
+
+            /// How many numbers [`Along`] gives.
+            pub const TABLES: usize = #tables;
+
+            #[doc = #fixed_doc]
+            #fixed
+
+            #[doc = #along_doc]
+            #along
+
+            #[doc = #points_doc]
+            #points
+        }
+    }
+}
+
+fn fixed(staged: &Staged, function: &Function) -> TokenStream {
+    let graph = &staged.graph;
+    let symbol = |symbol: SymbolId| scalar::symbol_tokens(graph, symbol);
+    let parameters = scalar::parameters(function);
+    let taken = function
+        .parameters
+        .iter()
+        .map(|parameter| parameter.name.to_string());
+    let Body {
+        statements,
+        outputs,
+    } = Writer::new(graph, &staged.fixed, &symbol, taken).body();
+    quote! {
+        #[inline]
+        pub fn fixed(#parameters) -> [f64; FIXED] {
+            #(#statements)*
+            [#(#outputs),*]
+        }
+    }
+}

@@ -1,0 +1,137 @@
+//! Which operation belongs to which loop.
+//!
+//! Along an inner parameter most of a formula stands still. An operation that depends on the other parameters alone is
+//! done once for all points, one that depends on the inner ones alone is done once for a table of their values, and only
+//! those that depend on both are left for the loop over the points. How many are left is a matter of form: `k·√(a + b·t)`
+//! has two operations more in its loop than `√(k²a + k²b·t)`. So factors that stand still are taken into roots
+//! ([`absorb`]), sums and products are gathered by what they depend on ([`regroup`]), and the circuit with the fewest
+//! operations at each point is chosen, among those that round no worse than the formula as its author wrote it.
+
+pub mod absorb;
+pub mod regroup;
+pub mod split;
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::cost::Cost;
+use crate::factor::circuit::{Circuit, Net, Operation};
+use crate::factor::extract::{self, ORDERS};
+use crate::factor::rounding::Reference;
+use crate::factor::{self, Outputs, lower};
+use crate::graph::{ExprId, Graph, SymbolId};
+use crate::rewrite;
+pub use split::{Staged, split};
+
+/// What an operation depends on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Stage {
+    /// On nothing.
+    Constant,
+    /// On outer parameters alone: done once for all points.
+    Fixed,
+    /// On inner parameters alone: done once for each value of theirs.
+    Along,
+    /// On both: done at each point.
+    Point,
+}
+
+impl Stage {
+    /// The stage of an operation on operands of these stages.
+    pub fn with(self, other: Self) -> Self {
+        match (self, other) {
+            (Self::Constant, stage) | (stage, Self::Constant) => stage,
+            (Self::Fixed, Self::Fixed) => Self::Fixed,
+            (Self::Along, Self::Along) => Self::Along,
+            _ => Self::Point,
+        }
+    }
+
+    /// Whether it is done outside the loop over the points.
+    pub fn stands_still(self) -> bool {
+        matches!(self, Self::Constant | Self::Fixed)
+    }
+}
+
+/// The stage of each operation of a circuit whose inner parameters are given.
+pub fn stages(circuit: &Circuit, inner: &BTreeSet<SymbolId>) -> Vec<Stage> {
+    let mut stages: Vec<Stage> = Vec::new();
+    for net in circuit.nets() {
+        let stage = match circuit.operation(net) {
+            Operation::Symbol(symbol) if inner.contains(symbol) => Stage::Along,
+            Operation::Symbol(_) => Stage::Fixed,
+            _ => circuit
+                .operands(net)
+                .into_iter()
+                .fold(Stage::Constant, |stage, operand| {
+                    stage.with(stages[operand.index()])
+                }),
+        };
+        stages.push(stage);
+    }
+    stages
+}
+
+/// What the operations of one stage cost.
+fn cost_of(circuit: &Circuit, inner: &BTreeSet<SymbolId>, stage: Stage) -> Cost {
+    let stages = stages(circuit, inner);
+    let of_stage = circuit.nets().filter(|net| stages[net.index()] == stage);
+    of_stage.fold(Cost::default(), |cost, net| cost + circuit.cost_of(net))
+}
+
+/// The circuit of the outputs that has the fewest operations at each point, then the fewest of all, among those that round
+/// no worse than the formula as its author wrote it.
+pub fn minimise(graph: &Graph, outputs: &Outputs, inner: &BTreeSet<SymbolId>) -> Circuit {
+    let all = outputs.all();
+    let reference = Reference::of(graph, &all);
+    let mut circuits: Vec<Circuit> = Vec::new();
+    for (graph, roots) in forms(graph, &all, inner) {
+        let lowered = lower::lower(&graph, &roots);
+        for order in ORDERS.into_iter().chain([&[][..]]) {
+            let mut circuit = lowered.clone();
+            extract::extract(&mut circuit, order);
+            // What was gathered into another operation is not needed any more.
+            let circuit = regroup::by_stage(&circuit, inner);
+            let circuit = split::part(&circuit, &circuit.outputs, &BTreeMap::new());
+            if !circuits.iter().any(|known| known.is_same(&circuit)) {
+                circuits.push(circuit);
+            }
+        }
+    }
+    circuits.sort_by_key(|circuit| {
+        let points = cost_of(circuit, inner, Stage::Point).weight();
+        (points, circuit.cost().weight())
+    });
+    let sound = circuits
+        .into_iter()
+        .find(|circuit| reference.admits(graph, circuit));
+    sound.unwrap_or_else(|| factor::minimise(graph, outputs))
+}
+
+/// The outputs in every form that may turn out to leave the fewest operations at the points.
+fn forms(graph: &Graph, roots: &[ExprId], inner: &BTreeSet<SymbolId>) -> Vec<(Graph, Vec<ExprId>)> {
+    let written = rewrite::rewrite(graph, roots);
+    let merged = factor::identities::merge(graph, roots);
+    let merged = rewrite::rewrite(&merged.0, &merged.1);
+    let factored = rewrite::common::take_out(&merged.0, &merged.1);
+    let factored = rewrite::rewrite(&factored.0, &factored.1);
+    let joined = rewrite::roots::join(&factored.0, &factored.1);
+    let joined = rewrite::rewrite(&joined.0, &joined.1);
+    let forms = [written, merged, factored, joined];
+    let absorbed = forms
+        .iter()
+        .map(|(graph, roots)| absorb::into_roots(graph, roots, inner));
+    let absorbed: Vec<_> = absorbed.collect();
+    forms.into_iter().chain(absorbed).collect()
+}
+
+/// The operations that the outputs of a circuit need, operands before their users.
+fn reachable(circuit: &Circuit, outputs: &[Net]) -> Vec<Net> {
+    let mut seen = BTreeSet::new();
+    let mut stack = outputs.to_vec();
+    while let Some(net) = stack.pop() {
+        if seen.insert(net) {
+            stack.extend(circuit.operands(net));
+        }
+    }
+    seen.into_iter().collect()
+}

@@ -1,0 +1,259 @@
+//! Generated bodies and the loops over them.
+
+use fearless_simd::Simd;
+use thiserror::Error;
+
+use crate::level::{self, Body, Level};
+use crate::pack::Pack;
+
+/// A generated body: `RESULTS` numbers of a row, from `FIXED` numbers that all rows share and `ALONG` of its own.
+pub trait Kernel<const FIXED: usize, const ALONG: usize, const RESULTS: usize> {
+    /// The results of a pack of rows.
+    fn evaluate<S: Simd>(
+        simd: S,
+        fixed: [Pack<S>; FIXED],
+        along: [Pack<S>; ALONG],
+    ) -> [Pack<S>; RESULTS];
+}
+
+/// All results of a kernel are wanted.
+pub const ALL: u64 = u64::MAX;
+
+/// Whether the result at a position is among those wanted: bit 0 is the first.
+const fn is_wanted(wanted: u64, position: usize) -> bool {
+    wanted >> position & 1 == 1
+}
+
+/// A column that is not as long as the others.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[error("column {column} has {length} rows; it must have {expected}, as the first one has")]
+pub struct LengthError {
+    /// Its place: the columns along the rows, then the results.
+    pub column: usize,
+    /// Its length.
+    pub length: usize,
+    /// The length of the first column.
+    pub expected: usize,
+}
+
+fn check<'a>(
+    lengths: impl Iterator<Item = (usize, usize)> + 'a,
+    expected: usize,
+) -> Result<(), LengthError> {
+    for (column, length) in lengths {
+        if length != expected {
+            return Err(LengthError {
+                column,
+                length,
+                expected,
+            });
+        }
+    }
+    Ok(())
+}
+
+/// Evaluates a kernel for every row and writes the results.
+///
+/// `WANTED` says which results are asked for, a bit each ([`ALL`] for all of them); those that are not are left alone and
+/// not computed, and their slices may be empty. There is nothing to do where `RESULTS` is 0 or no result is wanted.
+///
+/// # Errors
+/// Columns of different lengths.
+pub fn store<K, const WANTED: u64, const FIXED: usize, const ALONG: usize, const RESULTS: usize>(
+    level: Level,
+    fixed: &[f64; FIXED],
+    along: [&[f64]; ALONG],
+    results: [&mut [f64]; RESULTS],
+) -> Result<(), LengthError>
+where
+    K: Kernel<FIXED, ALONG, RESULTS>,
+{
+    let lengths = results.iter().map(|column| column.len()).enumerate();
+    let mut wanted = lengths.filter(|(position, _)| is_wanted(WANTED, *position));
+    let Some((_, rows)) = wanted.next() else {
+        return Ok(());
+    };
+    check(along.iter().map(|column| column.len()).enumerate(), rows)?;
+    let places = wanted.map(|(position, length)| (ALONG + position, length));
+    check(places, rows)?;
+    let store = Store::<'_, K, WANTED, FIXED, ALONG, RESULTS> {
+        rows,
+        fixed,
+        along,
+        results,
+        kernel: std::marker::PhantomData,
+    };
+    level::run(level, store);
+    Ok(())
+}
+
+/// Evaluates a kernel that has no fixed numbers for every row, on the [best level](Level::best), and writes all results.
+///
+/// # Errors
+/// Columns of different lengths.
+pub fn rows<K, const ALONG: usize, const RESULTS: usize>(
+    along: [&[f64]; ALONG],
+    results: [&mut [f64]; RESULTS],
+) -> Result<(), LengthError>
+where
+    K: Kernel<0, ALONG, RESULTS>,
+{
+    store::<K, ALL, 0, ALONG, RESULTS>(Level::best(), &[], along, results)
+}
+
+struct Store<'a, K, const WANTED: u64, const FIXED: usize, const ALONG: usize, const RESULTS: usize>
+{
+    rows: usize,
+    fixed: &'a [f64; FIXED],
+    along: [&'a [f64]; ALONG],
+    results: [&'a mut [f64]; RESULTS],
+    kernel: std::marker::PhantomData<K>,
+}
+
+impl<K, const WANTED: u64, const FIXED: usize, const ALONG: usize, const RESULTS: usize> Body
+    for Store<'_, K, WANTED, FIXED, ALONG, RESULTS>
+where
+    K: Kernel<FIXED, ALONG, RESULTS>,
+{
+    type Output = ();
+
+    #[inline(always)]
+    fn run<S: Simd>(mut self, simd: S) {
+        let fixed = self.fixed.map(
+            #[inline(always)]
+            |number| Pack::splat(simd, number),
+        );
+        let length = Pack::<S>::LENGTH;
+        let whole = self.rows - self.rows % length;
+        for row in (0..whole).step_by(length) {
+            let values = K::evaluate(simd, fixed, packs(simd, &self.along, row));
+            for (position, (column, value)) in self.results.iter_mut().zip(values).enumerate() {
+                if is_wanted(WANTED, position) {
+                    value.store(&mut column[row..row + length]);
+                }
+            }
+        }
+        if whole < self.rows {
+            let values = K::evaluate(simd, fixed, tails(simd, &self.along, whole));
+            for (position, (column, value)) in self.results.iter_mut().zip(values).enumerate() {
+                if is_wanted(WANTED, position) {
+                    let tail = &mut column[whole..];
+                    tail.copy_from_slice(&value.as_slice()[..tail.len()]);
+                }
+            }
+        }
+    }
+}
+
+/// The numbers of the rows from `row` on, of each column.
+#[inline(always)]
+fn packs<S: Simd, const ALONG: usize>(
+    simd: S,
+    along: &[&[f64]; ALONG],
+    row: usize,
+) -> [Pack<S>; ALONG] {
+    std::array::from_fn(
+        #[inline(always)]
+        |column| Pack::load(simd, &along[column][row..row + Pack::<S>::LENGTH]),
+    )
+}
+
+/// The same of rows that are fewer than a pack.
+#[inline(always)]
+fn tails<S: Simd, const ALONG: usize>(
+    simd: S,
+    along: &[&[f64]; ALONG],
+    row: usize,
+) -> [Pack<S>; ALONG] {
+    std::array::from_fn(
+        #[inline(always)]
+        |column| Pack::load_tail(simd, &along[column][row..]),
+    )
+}
+
+/// What takes the results of a kernel where they arise, without an output array.
+pub trait Consumer<const RESULTS: usize> {
+    /// What it keeps while it runs, in packs.
+    type Lanes<S: Simd>;
+    /// What it gives in the end.
+    type Output;
+
+    /// Before the first row.
+    fn begin<S: Simd>(&self, simd: S) -> Self::Lanes<S>;
+
+    /// Takes the results of `rows` rows from `first` on; the packs hold more where these are the last.
+    fn take<S: Simd>(
+        &self,
+        lanes: &mut Self::Lanes<S>,
+        first: usize,
+        rows: usize,
+        results: &[Pack<S>; RESULTS],
+    );
+
+    /// After the last row.
+    fn end<S: Simd>(&self, lanes: Self::Lanes<S>) -> Self::Output;
+}
+
+/// Evaluates a kernel for every row and lets a consumer take the results; those that it does not look at are not computed.
+///
+/// # Errors
+/// Columns of different lengths.
+pub fn fold<K, C, const FIXED: usize, const ALONG: usize, const RESULTS: usize>(
+    level: Level,
+    fixed: &[f64; FIXED],
+    along: [&[f64]; ALONG],
+    consumer: &C,
+) -> Result<C::Output, LengthError>
+where
+    K: Kernel<FIXED, ALONG, RESULTS>,
+    C: Consumer<RESULTS>,
+{
+    let rows = along.first().map_or(0, |column| column.len());
+    check(along.iter().map(|column| column.len()).enumerate(), rows)?;
+    let fold = Fold::<'_, K, C, FIXED, ALONG, RESULTS> {
+        rows,
+        fixed,
+        along,
+        consumer,
+        kernel: std::marker::PhantomData,
+    };
+    Ok(level::run(level, fold))
+}
+
+struct Fold<'a, K, C, const FIXED: usize, const ALONG: usize, const RESULTS: usize> {
+    rows: usize,
+    fixed: &'a [f64; FIXED],
+    along: [&'a [f64]; ALONG],
+    consumer: &'a C,
+    kernel: std::marker::PhantomData<K>,
+}
+
+impl<K, C, const FIXED: usize, const ALONG: usize, const RESULTS: usize> Body
+    for Fold<'_, K, C, FIXED, ALONG, RESULTS>
+where
+    K: Kernel<FIXED, ALONG, RESULTS>,
+    C: Consumer<RESULTS>,
+{
+    type Output = C::Output;
+
+    #[inline(always)]
+    fn run<S: Simd>(self, simd: S) -> C::Output {
+        let fixed = self.fixed.map(
+            #[inline(always)]
+            |number| Pack::splat(simd, number),
+        );
+        let length = Pack::<S>::LENGTH;
+        let whole = self.rows - self.rows % length;
+        let mut lanes = self.consumer.begin(simd);
+        for row in (0..whole).step_by(length) {
+            let results = K::evaluate(simd, fixed, packs(simd, &self.along, row));
+            self.consumer.take(&mut lanes, row, length, &results);
+        }
+        if whole < self.rows {
+            let results = K::evaluate(simd, fixed, tails(simd, &self.along, whole));
+            self.consumer
+                .take(&mut lanes, whole, self.rows - whole, &results);
+        }
+        self.consumer.end(lanes)
+    }
+}

@@ -1,0 +1,206 @@
+//! A pack of numbers, one of each row, with the operations that generated code does.
+
+use std::fmt;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use fearless_simd::{Select, Simd, SimdBase, SimdFloat};
+
+/// As many numbers as the instructions of `S` take at once, with the arithmetic of `f64`.
+#[derive(Clone, Copy)]
+pub struct Pack<S: Simd> {
+    simd: S,
+    numbers: S::f64s,
+}
+
+impl<S: Simd> Pack<S> {
+    /// How many numbers it holds.
+    pub const LENGTH: usize = <S::f64s as SimdBase<S>>::LEN;
+
+    /// The same number in every row.
+    #[inline(always)]
+    pub fn splat(simd: S, number: f64) -> Self {
+        let numbers = S::f64s::splat(simd, number);
+        Self { simd, numbers }
+    }
+
+    /// The first [`LENGTH`](Self::LENGTH) numbers of a slice that has as many.
+    #[inline(always)]
+    pub(crate) fn load(simd: S, slice: &[f64]) -> Self {
+        let numbers = S::f64s::from_slice(simd, slice);
+        Self { simd, numbers }
+    }
+
+    /// The numbers of a slice shorter than a pack; the last stands in the rows after it.
+    #[inline(always)]
+    pub(crate) fn load_tail(simd: S, slice: &[f64]) -> Self {
+        let last = slice.len().saturating_sub(1);
+        let number = |row: usize| slice.get(row.min(last)).copied().unwrap_or(0.0);
+        let numbers = S::f64s::from_fn(simd, number);
+        Self { simd, numbers }
+    }
+
+    /// Writes the numbers to a slice of [`LENGTH`](Self::LENGTH).
+    #[inline(always)]
+    pub(crate) fn store(self, slice: &mut [f64]) {
+        self.numbers.store_slice(slice);
+    }
+
+    /// The numbers, one of each row.
+    #[inline(always)]
+    pub fn as_slice(&self) -> &[f64] {
+        self.numbers.as_slice()
+    }
+
+    /// The instructions it is made of.
+    #[inline(always)]
+    pub fn simd(self) -> S {
+        self.simd
+    }
+
+    #[inline(always)]
+    fn with(self, numbers: S::f64s) -> Self {
+        Self { numbers, ..self }
+    }
+
+    /// A function of one number, row by row: for functions that have no instruction.
+    #[inline(always)]
+    pub fn map(self, function: impl Fn(f64) -> f64) -> Self {
+        self.map_rows(|_, number| function(number))
+    }
+
+    /// The same with the number of the row.
+    #[inline(always)]
+    pub(crate) fn map_rows(self, function: impl Fn(usize, f64) -> f64) -> Self {
+        let given = self.numbers;
+        self.with(S::f64s::from_fn(self.simd, |row| function(row, given[row])))
+    }
+
+    /// Square root.
+    #[inline(always)]
+    pub fn sqrt(self) -> Self {
+        self.with(self.numbers.sqrt())
+    }
+
+    /// Absolute value.
+    #[inline(always)]
+    pub fn abs(self) -> Self {
+        self.with(self.numbers.abs())
+    }
+
+    /// 1 with the sign of the number, as [`f64::signum`].
+    #[inline(always)]
+    pub fn signum(self) -> Self {
+        let one = S::f64s::splat(self.simd, 1.0).copysign(self.numbers);
+        let is_nan = self.numbers.is_nan();
+        self.with(is_nan.select(self.numbers, one))
+    }
+
+    /// The smaller of two, as [`f64::min`]: the other one where one is not a number.
+    #[inline(always)]
+    pub fn min(self, other: Self) -> Self {
+        self.with(self.numbers.min_precise(other.numbers))
+    }
+
+    /// The larger of two, as [`f64::max`]: the other one where one is not a number.
+    #[inline(always)]
+    pub fn max(self, other: Self) -> Self {
+        self.with(self.numbers.max_precise(other.numbers))
+    }
+
+    /// `x` in the rows where this is at most `bound`, `y` in the others.
+    #[inline(always)]
+    pub fn select_le(self, bound: Self, x: Self, y: Self) -> Self {
+        let chosen = self.numbers.simd_le(bound.numbers);
+        self.with(chosen.select(x.numbers, y.numbers))
+    }
+
+    /// The nearest whole number, ties to even.
+    #[inline(always)]
+    pub(crate) fn round_ties_even(self) -> Self {
+        self.with(self.numbers.round_ties_even())
+    }
+
+    /// The largest whole number that is not larger.
+    #[inline(always)]
+    pub(crate) fn floor(self) -> Self {
+        self.with(self.numbers.floor())
+    }
+
+    /// Whether every number is at most `bound`; false where one is not a number.
+    #[inline(always)]
+    pub(crate) fn all_at_most(self, bound: f64) -> bool {
+        use fearless_simd::SimdMask;
+        let within = self.numbers.simd_le(S::f64s::splat(self.simd, bound));
+        within.all_true()
+    }
+
+    /// Tangent of an angle in radians.
+    #[inline(always)]
+    pub fn tan(self) -> Self {
+        self.map(f64::tan)
+    }
+
+    /// Exponential.
+    #[inline(always)]
+    pub fn exp(self) -> Self {
+        self.map(f64::exp)
+    }
+
+    /// Natural logarithm.
+    #[inline(always)]
+    pub fn ln(self) -> Self {
+        self.map(f64::ln)
+    }
+}
+
+impl<S: Simd> fmt::Debug for Pack<S> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_tuple("Pack").field(&self.as_slice()).finish()
+    }
+}
+
+impl<S: Simd> Neg for Pack<S> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn neg(self) -> Self {
+        self.with(-self.numbers)
+    }
+}
+
+/// An operator between packs, and between a pack and a number.
+macro_rules! operator {
+    ($operator:ident, $method:ident, $symbol:tt) => {
+        impl<S: Simd> $operator for Pack<S> {
+            type Output = Self;
+
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                self.with(self.numbers $symbol other.numbers)
+            }
+        }
+
+        impl<S: Simd> $operator<f64> for Pack<S> {
+            type Output = Self;
+
+            #[inline(always)]
+            fn $method(self, other: f64) -> Self {
+                self $symbol Self::splat(self.simd, other)
+            }
+        }
+
+        impl<S: Simd> $operator<Pack<S>> for f64 {
+            type Output = Pack<S>;
+
+            #[inline(always)]
+            fn $method(self, other: Pack<S>) -> Pack<S> {
+                Pack::splat(other.simd, self) $symbol other
+            }
+        }
+    };
+}
+
+operator!(Add, add, +);
+operator!(Sub, sub, -);
+operator!(Mul, mul, *);
+operator!(Div, div, /);

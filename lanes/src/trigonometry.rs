@@ -1,0 +1,101 @@
+//! Sine and cosine of packs.
+//!
+//! An angle is brought to $|r| \le \pi/4$ by the nearest multiple of $\pi/2$, which is subtracted in three parts, the
+//! first two of so few digits that their multiples are exact; what rounding takes from $r$ is carried along.
+//! Sine and cosine of $r$ are the first terms of their series and a remainder in $z = r^2$ each,
+//! a polynomial that the generator fits when this crate is built.
+
+use std::f64::consts::FRAC_2_PI;
+
+use fearless_simd::Simd;
+
+use crate::kernel::Kernel;
+use crate::pack::Pack;
+use series::{cosine_remainder, sine_remainder};
+
+/// Up to this size of an angle, in radians, [`Pack::sin`] and [`Pack::cos`] are polynomials; beyond, they are those of the
+/// standard library.
+pub const EXACT_BEYOND: f64 = 1e3;
+
+/// π/2 in three parts: 33 bits, 33 bits, and the rest. A multiple below 2²⁰ of the first two is exact.
+const QUARTER_TURN: [f64; 3] = [
+    f64::from_bits(0x3ff9_21fb_5440_0000),
+    f64::from_bits(0x3dd0_b461_1a60_0000),
+    f64::from_bits(0x3ba3_198a_2e03_7073),
+];
+
+#[rotor_macros::symbolic]
+mod series {
+    /// $S(z)$ in $\sin r = r - r^3 S(r^2)$: Taylor's remainder as an integral, in which nothing cancels.
+    #[approximate(z = 0.0..=0.62, tolerance = 1e-15)]
+    #[generate(columns)]
+    pub(super) fn sine_remainder(z: f64) -> f64 {
+        integral(|t| (1.0 - t).powi(2) / 2.0 * (z.sqrt() * t).cos(), 0.0..1.0)
+    }
+
+    /// $C(z)$ in $\cos r = 1 - r^2/2 + r^4 C(r^2)$, likewise.
+    #[approximate(z = 0.0..=0.62, tolerance = 1e-15)]
+    #[generate(columns)]
+    pub(super) fn cosine_remainder(z: f64) -> f64 {
+        integral(|t| (1.0 - t).powi(3) / 6.0 * (z.sqrt() * t).cos(), 0.0..1.0)
+    }
+}
+
+impl<S: Simd> Pack<S> {
+    /// Sine of an angle in radians, within 2 units in the last place.
+    #[inline(always)]
+    pub fn sin(self) -> Self {
+        self.turned(0.0, f64::sin)
+    }
+
+    /// Cosine of an angle in radians, within 2 units in the last place.
+    #[inline(always)]
+    pub fn cos(self) -> Self {
+        // A quarter turn ahead of the sine.
+        self.turned(1.0, f64::cos)
+    }
+
+    /// The sine `ahead` quarter turns ahead; `exact` is the same where the angle is large.
+    #[inline(always)]
+    fn turned(self, ahead: f64, exact: fn(f64) -> f64) -> Self {
+        let polynomial = self.near_turned(ahead);
+        if self.abs().all_at_most(EXACT_BEYOND) {
+            return polynomial;
+        }
+        let near = |row: usize| self.as_slice()[row].abs() <= EXACT_BEYOND;
+        self.map_rows(|row, angle| {
+            if near(row) {
+                polynomial.as_slice()[row]
+            } else {
+                exact(angle)
+            }
+        })
+    }
+
+    /// The same for angles up to [`EXACT_BEYOND`].
+    #[inline(always)]
+    fn near_turned(self, ahead: f64) -> Self {
+        let quarters = (self * FRAC_2_PI).round_ties_even();
+        let [high, middle, low] = QUARTER_TURN;
+        let nearly = self - quarters * high;
+        let small = quarters * middle;
+        let r = nearly - small;
+        let lost = ((nearly - r) - small) - quarters * low;
+
+        let z = r * r;
+        let [sine_rest] = sine_remainder::Rows::evaluate(self.simd(), [], [z]);
+        let [cosine_rest] = cosine_remainder::Rows::evaluate(self.simd(), [], [z]);
+        let half = 0.5 * z;
+        let sine = r + ((1.0 - half) * lost - r * z * sine_rest);
+        let cosine = 1.0 - (half - (z * z * cosine_rest - r * lost));
+
+        // Of quarter turns 0, 1, 2, 3 the sine is sin, cos, −sin, −cos.
+        let quarters = quarters + ahead;
+        let halves = (0.5 * quarters).floor();
+        let is_odd = |number: Self, half: Self| number - 2.0 * half;
+        let odd_quarter = is_odd(quarters, halves);
+        let odd_half = is_odd(halves, (0.5 * halves).floor());
+        let bound = Self::splat(self.simd(), 0.5);
+        odd_quarter.select_le(bound, sine, cosine) * (1.0 - 2.0 * odd_half)
+    }
+}

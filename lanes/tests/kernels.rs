@@ -1,0 +1,88 @@
+//! The loops: results, tails, what is not wanted, consumers, and mismatched columns.
+
+use lanes::{ALL, Consumer, Kernel, Level, Pack, Simd, fold, store};
+
+/// `a·x + y`, and `|x|` beside it.
+struct Line;
+
+impl Kernel<1, 2, 2> for Line {
+    #[inline(always)]
+    fn evaluate<S: Simd>(_: S, [a]: [Pack<S>; 1], [x, y]: [Pack<S>; 2]) -> [Pack<S>; 2] {
+        [a * x + y, x.abs()]
+    }
+}
+
+/// The sum of the first result.
+struct Sum;
+
+impl Consumer<2> for Sum {
+    type Lanes<S: Simd> = f64;
+    type Output = f64;
+
+    #[inline(always)]
+    fn begin<S: Simd>(&self, _: S) -> f64 {
+        0.0
+    }
+
+    #[inline(always)]
+    fn take<S: Simd>(&self, sum: &mut f64, _: usize, rows: usize, results: &[Pack<S>; 2]) {
+        *sum += results[0].as_slice().iter().take(rows).sum::<f64>();
+    }
+
+    #[inline(always)]
+    fn end<S: Simd>(&self, sum: f64) -> f64 {
+        sum
+    }
+}
+
+fn columns(rows: usize) -> [Vec<f64>; 2] {
+    let x = (0..rows).map(|row| row as f64 - 7.0).collect();
+    let y = (0..rows).map(|row| 0.25 * row as f64).collect();
+    [x, y]
+}
+
+#[test]
+fn every_row_of_every_length_on_every_level() {
+    for rows in 0..40 {
+        let [x, y] = columns(rows);
+        for level in Level::available() {
+            let mut results = [vec![f64::NAN; rows], vec![f64::NAN; rows]];
+            let [first, second] = &mut results;
+            store::<Line, ALL, 1, 2, 2>(level, &[3.0], [&x, &y], [first, second]).unwrap();
+            for row in 0..rows {
+                assert_eq!(results[0][row], 3.0 * x[row] + y[row]);
+                assert_eq!(results[1][row], x[row].abs());
+            }
+            let sum = fold::<Line, Sum, 1, 2, 2>(level, &[3.0], [&x, &y], &Sum).unwrap();
+            assert_eq!(sum, results[0].iter().sum::<f64>());
+        }
+    }
+}
+
+#[test]
+fn what_is_not_wanted_is_left_alone() {
+    let [x, y] = columns(11);
+    let mut second = vec![0.0; 11];
+    store::<Line, 2, 1, 2, 2>(Level::best(), &[3.0], [&x, &y], [&mut [], &mut second]).unwrap();
+    assert_eq!(second[0], 7.0);
+    store::<Line, 0, 1, 2, 2>(Level::best(), &[3.0], [&x, &y], [&mut [], &mut []]).unwrap();
+}
+
+#[test]
+fn a_column_of_another_length_is_refused() {
+    let [x, y] = columns(8);
+    let mut first = vec![0.0; 8];
+    let mut second = vec![0.0; 7];
+    let level = Level::best();
+    let results = [&mut first[..], &mut second[..]];
+    let error = store::<Line, ALL, 1, 2, 2>(level, &[3.0], [&x, &y], results).unwrap_err();
+    assert_eq!((error.column, error.length, error.expected), (3, 7, 8));
+    let results = [&mut first[..], &mut [][..]];
+    let error = store::<Line, 1, 1, 2, 2>(level, &[3.0], [&x, &y[..5]], results).unwrap_err();
+    assert_eq!((error.column, error.length, error.expected), (1, 5, 8));
+    let error = fold::<Line, Sum, 1, 2, 2>(level, &[3.0], [&x, &y[..5]], &Sum).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "column 1 has 5 rows; it must have 8, as the first one has"
+    );
+}
