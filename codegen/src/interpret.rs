@@ -2,10 +2,11 @@
 
 use std::collections::BTreeSet;
 
-use num_traits::ToPrimitive;
+use num_traits::{ToPrimitive, Zero};
 
 use crate::approximate::piecewise::PiecewisePolynomial;
 use crate::approximate::quadrature::integrate;
+use crate::factor::circuit::{Circuit, Net, Operation};
 use crate::graph::{ExprId, Function, Graph, NamedConstant, Node, Rational, SymbolId, Table};
 
 /// A kind of number that a graph can be evaluated in: `f64`, or more digits in tests.
@@ -377,5 +378,51 @@ fn bound_variables(graph: &Graph, root: ExprId) -> BTreeSet<SymbolId> {
             Node::Integral { variable, .. } => Some(*variable),
             _ => None,
         })
+        .collect()
+}
+
+/// The outputs of a circuit, computed in the order in which its code computes them; `symbols` has a number for each symbol
+/// of its graph.
+pub fn evaluate_circuit<N: Number>(graph: &Graph, circuit: &Circuit, symbols: &[N]) -> Vec<N> {
+    let nothing = || N::rational(&Rational::zero()).divide(&N::rational(&Rational::zero()));
+    let mut values: Vec<N> = Vec::new();
+    for net in circuit.nets() {
+        let value = |net: &Net| values[net.index()].clone();
+        let value = match circuit.operation(net) {
+            Operation::Number(number) => N::rational(number),
+            Operation::Symbol(symbol) => {
+                symbols.get(symbol.index()).cloned().unwrap_or_else(nothing)
+            }
+            Operation::Sum(terms) => terms
+                .iter()
+                .map(|(operand, coefficient)| N::rational(coefficient).multiply(&value(operand)))
+                .reduce(|sum, term| sum.add(&term))
+                .unwrap_or_else(|| N::rational(&Rational::zero())),
+            Operation::Product(factors) => factors
+                .iter()
+                .flat_map(|(operand, power)| std::iter::repeat_n(value(operand), *power as usize))
+                .reduce(|product, factor| product.multiply(&factor))
+                .unwrap_or_else(nothing),
+            Operation::Quotient(numerator, denominator) => {
+                value(numerator).divide(&value(denominator))
+            }
+            Operation::Apply(function, operands) => {
+                let operands: Vec<N> = operands.iter().map(value).collect();
+                N::apply(*function, &operands)
+            }
+            Operation::Tabulated {
+                table,
+                order,
+                argument,
+            } => match graph.tables.get(*table) {
+                Some(table) => N::tabulated(table, *order, &value(argument)),
+                None => nothing(),
+            },
+        };
+        values.push(value);
+    }
+    let outputs = circuit.outputs.iter();
+    outputs
+        .map(|output| values[output.index()].clone())
         .collect()
 }

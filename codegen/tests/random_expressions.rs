@@ -13,8 +13,12 @@ use std::cell::Cell;
 
 use codegen::emit::scalar::Form;
 use codegen::expand::{Expansion, Generated, derive};
-use codegen::interpret::evaluate;
-use proc_macro2::{TokenStream, TokenTree};
+use codegen::factor::circuit::{Circuit, Operation};
+use codegen::graph::SymbolId;
+use codegen::interpret::{evaluate, evaluate_circuit};
+use codegen::parse::attributes::{StageRequest, Target};
+use codegen::stage::Staged;
+use proc_macro2::{Span, TokenStream, TokenTree};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed, TestRunner};
 use support::bounded::Bounded;
@@ -130,6 +134,78 @@ fn as_written_as_interpreted_and_as_generated_are_equal() {
     assert!(
         compared.get() > 700 && derivatives.get() > 3000,
         "{compared:?} values, {derivatives:?} derivatives compared"
+    );
+}
+
+/// What a staged form's three circuits give together.
+fn in_stages(staged: &Staged, at: &[f64]) -> Vec<Bounded> {
+    let graph = &staged.graph;
+    let input = |name: &str| INPUTS.iter().position(|known| *known == name);
+    let mut numbers: Vec<Bounded> = graph
+        .symbols()
+        .map(|(_, symbol)| Bounded::exact(input(&symbol.name).map_or(f64::NAN, |place| at[place])))
+        .collect();
+    let before = [
+        (&staged.fixed, &staged.fixed_symbols),
+        (&staged.along, &staged.along_symbols),
+    ];
+    for (circuit, symbols) in before {
+        let values = evaluate_circuit(graph, circuit, &numbers);
+        for (symbol, value) in symbols.iter().zip(values) {
+            numbers[symbol.index()] = value;
+        }
+    }
+    evaluate_circuit(graph, &staged.points, &numbers)
+}
+
+#[test]
+fn in_stages_they_are_equal_too() {
+    let (compared, at_points) = (Cell::new(0), Cell::new(0));
+    let outcome = runner(60).run(&(random_module(), points()), |(module, points)| {
+        let source = module.source();
+        let mut expansion = expansion(&source);
+        let written = Source::of(&parsed(&source).content.unwrap().1);
+        let function = expansion.module().function("formula").unwrap().clone();
+        for inner in [&INPUTS[..1], &INPUTS[1..3], &INPUTS[5..]] {
+            let target = |name: &&str| Target {
+                symbol: (*name).to_owned(),
+                span: Span::call_site(),
+            };
+            let request = StageRequest {
+                inner: inner.iter().map(target).collect(),
+                span: Span::call_site(),
+            };
+            let (staged, symbols, _) = expansion.staged(&function, &request).unwrap();
+            let uses = |circuit: &Circuit, symbol: SymbolId| {
+                let mut operations = circuit.nets().map(|net| circuit.operation(net));
+                operations.any(|operation| *operation == Operation::Symbol(symbol))
+            };
+            for (symbol, _) in staged.graph.symbols() {
+                let is_inner = symbols.contains(&symbol);
+                prop_assert!(!(is_inner && uses(&staged.fixed, symbol)));
+                prop_assert!(is_inner || !uses(&staged.along, symbol));
+            }
+            at_points.set(at_points.get() + staged.points.cost().operations());
+            for at in &points {
+                let written = written.call("formula", &arguments(at)).flatten();
+                if !written.iter().all(|number| number.is_known()) {
+                    continue;
+                }
+                for (written, found) in written.iter().zip(in_stages(&staged, at)) {
+                    prop_assert!(
+                        written.agrees(found),
+                        "{written:?} became {found:?} at {at:?} along {inner:?}"
+                    );
+                    compared.set(compared.get() + 1);
+                }
+            }
+        }
+        Ok(())
+    });
+    outcome.unwrap_or_else(|error| panic!("{error}"));
+    assert!(
+        compared.get() > 500 && at_points.get() > 300,
+        "{compared:?} values compared, {at_points:?} operations at points"
     );
 }
 

@@ -7,7 +7,7 @@
 
 use num_traits::{One, ToPrimitive};
 
-use super::circuit::{Circuit, Operation};
+use super::circuit::Circuit;
 use crate::graph::{
     ExprId, Function, Graph, NamedConstant, Node, Rational, Symbol, SymbolId, Table,
 };
@@ -161,7 +161,7 @@ impl Reference {
             .iter()
             .zip(&self.outputs)
             .all(|(point, expected)| {
-                let found = outputs_at(graph, circuit, point);
+                let found = interpret::evaluate_circuit(graph, circuit, point);
                 let known = expected
                     .iter()
                     .zip(&found)
@@ -171,58 +171,6 @@ impl Reference {
                 })
             })
     }
-}
-
-/// The outputs of a circuit, computed in the order in which its code computes them.
-fn outputs_at(graph: &Graph, circuit: &Circuit, point: &[Bounded]) -> Vec<Bounded> {
-    let nothing = Bounded::exact(f64::NAN);
-    let mut values: Vec<Bounded> = Vec::new();
-    for net in circuit.nets() {
-        let value = match circuit.operation(net) {
-            Operation::Number(value) => Bounded::rational(value),
-            Operation::Symbol(symbol) => point.get(symbol.index()).copied().unwrap_or(nothing),
-            Operation::Sum(terms) => {
-                let terms = terms.iter().map(|(operand, coefficient)| {
-                    Bounded::rational(coefficient).multiply(&values[operand.index()])
-                });
-                terms
-                    .reduce(|sum, term| sum.add(&term))
-                    .unwrap_or(Bounded::exact(0.0))
-            }
-            Operation::Product(factors) => {
-                let factors = factors.iter().flat_map(|(operand, power)| {
-                    std::iter::repeat_n(values[operand.index()], *power as usize)
-                });
-                factors
-                    .reduce(|product, factor| product.multiply(&factor))
-                    .unwrap_or(nothing)
-            }
-            Operation::Quotient(numerator, denominator) => {
-                values[numerator.index()].divide(&values[denominator.index()])
-            }
-            Operation::Apply(function, operands) => {
-                let operands: Vec<Bounded> = operands
-                    .iter()
-                    .map(|operand| values[operand.index()])
-                    .collect();
-                Bounded::apply(*function, &operands)
-            }
-            Operation::Tabulated {
-                table,
-                order,
-                argument,
-            } => match graph.tables.get(*table) {
-                Some(table) => Bounded::tabulated(table, *order, &values[argument.index()]),
-                None => nothing,
-            },
-        };
-        values.push(value);
-    }
-    circuit
-        .outputs
-        .iter()
-        .map(|output| values[output.index()])
-        .collect()
 }
 
 /// Two terms of a sum that cancel where `symbol` has `ratio` times the value of `other`, and the sum's other symbols.
