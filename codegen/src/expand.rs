@@ -431,7 +431,7 @@ impl Expansion {
     }
 
     /// The module of a staged form.
-    fn staged_item(&mut self, function: &Function, request: &StageRequest) -> TokenStream {
+    pub fn staged_item(&mut self, function: &Function, request: &StageRequest) -> TokenStream {
         match self.staged(function, request) {
             Some((staged, inner, outputs)) => {
                 self.use_tables(&staged.graph, &staged.fixed);

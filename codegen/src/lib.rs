@@ -22,7 +22,7 @@
 //! There are no branches, loops or assignments: a case is a formula of its own, and its caller chooses. Whatever else is
 //! found is reported at its token with what to write instead, all at once.
 //!
-//! Attributes of a function say what is wanted: `#[generate(value, gradient(x, c.y), hessian(x, c.y), columns,
+//! Attributes of a function say what is wanted: `#[generate(value, gradient(x, c.y), hessian(x, c.y), columns, stage(c.y),
 //! budget(operations = 96))]`, `#[domain(x > 0.0)]`, `#[specialise(name, x = y, generate(…))]`,
 //! `#[approximate(x = 0.0..=1.0, factor = x.powi(2), tolerance = 1e-13)]`; see [`parse::attributes`]. The module's own
 //! attribute may hold a table of symbols for [`latex`].
@@ -31,7 +31,9 @@
 //!
 //! The module as written, so that the compiler checks it and tests compare with it, and beside the function `f` a module
 //! `f` with the generated functions `value`, `gradient`, `hessian`, `columns`, `gradient_columns` and partials `d_x`, each
-//! documented with its count of operations.
+//! documented with its count of operations. `stage(c.y)` gives a module `along_y`: a function `fixed` of what does not
+//! depend on `c.y`, and the bodies `Along` and `Points` of two loops, for tables over the values of `c.y` and for the
+//! points. Columns and stages run on the crate `lanes`, which the crate of the formulas depends on.
 //!
 //! ```
 //! use codegen::show;
@@ -83,7 +85,8 @@
 //! | [`differentiate`] | reverse-mode partials in the graph |
 //! | [`rewrite`] | a table of sound rules, each with its guard |
 //! | [`factor`] | the fewest operations over a value and its partials together |
-//! | [`emit`] | circuits to tokens: functions of numbers, functions over columns |
+//! | [`stage`] | what is done once, what once for each value of an inner parameter, what at every point |
+//! | [`emit`] | circuits to tokens: functions of numbers, functions over columns, the loops of stages |
 //! | [`mod@expand`] | the pipeline, and the module that comes out |
 //!
 //! Beside them: [`approximate`] and [`tables`] (integrals and costly functions as piecewise polynomials, fitted when the

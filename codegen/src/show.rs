@@ -164,7 +164,11 @@ pub fn graph(expansion: &mut Expansion, name: &str) -> Result<String, ShowError>
 /// There is no such formula, or it has mistakes.
 pub fn rust(expansion: &mut Expansion, name: &str) -> Result<String, ShowError> {
     let forms = forms(expansion, name)?;
-    let tokens: TokenStream = forms.into_iter().map(|form| form.tokens).collect();
+    let mut tokens: TokenStream = forms.into_iter().map(|form| form.tokens).collect();
+    let function = function(expansion, name)?;
+    for stage in function.request.iter().flat_map(|request| &request.stages) {
+        tokens.extend(expansion.staged_item(&function, stage));
+    }
     emit::format(tokens).ok_or_else(|| ShowError::Mistakes(name.to_owned()))
 }
 

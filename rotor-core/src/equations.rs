@@ -605,6 +605,12 @@ mod formulas {
         width(omega, speed, cir_strength(omega, speed, c), c)
     }
 
+    /// Both widths, $\lambda_s$ and $\lambda_c$, in stages along what a scan varies.
+    #[generate(columns, stage(c.crack_angle), stage(c.disk_asymmetry), stage(c.beta), stage(c.gamma, c.delta), stage(c.beta, c.gamma, c.delta))]
+    pub fn both_widths(c: &Coefficients) -> (f64, f64) {
+        (sir_width(c), cir_width(c))
+    }
+
     /// Growth rate in the simple region at the detuning $\vartheta = \Omega - \Omega_s$, Eq. (29).
     #[generate(value)]
     pub fn sir_growth(detuning: f64, c: &Coefficients) -> f64 {
@@ -664,8 +670,7 @@ mod formulas {
 
     /// Both widths, $\lambda_s$ and $\lambda_c$, of a rotor whose crack is loaded as in `s`.
     pub fn widths(p: &RotorParameters, s: &SectionLoads, edge_factor: f64) -> (f64, f64) {
-        let c = coefficients(p, &stiffness(p, s, edge_factor));
-        (sir_width(&c), cir_width(&c))
+        both_widths(&coefficients(p, &stiffness(p, s, edge_factor)))
     }
 
     /// Both widths in the model of [`support_arm()`].
