@@ -15,11 +15,13 @@
 //! not know the structure, keep only half of the digits there.
 
 mod combination;
+mod double_double;
 pub mod ends;
 mod error;
 mod frequency_equation;
 pub mod hill;
 pub mod monodromy;
+mod number;
 pub mod periodic;
 pub mod quartic;
 pub mod whirl;

@@ -396,6 +396,91 @@ fn the_three_growth_rates_agree() -> TestResult {
     Ok(())
 }
 
+/// The greatest real part of the exponents in the frame that turns with the rotor, where the coefficients are constant:
+/// M z'' + C z' + K z = 0 for the real and imaginary parts of u e^{iΩt}, v e^{iΩt}.
+fn growth_in_the_rotors_frame(c: &Coefficients, speed: f64) -> Result<f64, Box<dyn Error>> {
+    let (sine, cosine) = (2.0 * c.crack_angle).sin_cos();
+    let (e1, e12, e2) = (c.epsilon_1, c.epsilon_12 * c.gamma, c.epsilon_2 * c.delta);
+    let (square, asymmetry) = (speed * speed, c.disk_asymmetry);
+    // Order of the displacements: Re u, Re v, Im u, Im v. The disk's asymmetry acts on v + i v' / Ω as a whole.
+    let four = |rows: [f64; 16]| DMatrix::from_row_slice(4, 4, &rows);
+    let mass = DMatrix::from_diagonal(&nalgebra::DVector::from_vec(vec![
+        1.0,
+        1.0 + asymmetry,
+        1.0,
+        1.0 - asymmetry,
+    ]));
+    let (turn_u, turn_v) = (2.0 * speed, (2.0 - c.beta) * speed);
+    #[rustfmt::skip]
+    let (gyroscopic, stiffness) = (
+        four([0.0, 0.0, turn_u, 0.0,
+              0.0, 0.0, 0.0, turn_v,
+              -turn_u, 0.0, 0.0, 0.0,
+              0.0, -turn_v, 0.0, 0.0]),
+        four([1.0 - square + e1 * cosine, c.gamma + e12 * cosine, -e1 * sine, -e12 * sine,
+              c.gamma + e12 * cosine, c.delta + (c.beta - 1.0 + asymmetry) * square + e2 * cosine, -e12 * sine, -e2 * sine,
+              -e1 * sine, -e12 * sine, 1.0 - square - e1 * cosine, c.gamma - e12 * cosine,
+              -e12 * sine, -e2 * sine, c.gamma - e12 * cosine, c.delta + (c.beta - 1.0 - asymmetry) * square - e2 * cosine]),
+    );
+    let inverse = mass.try_inverse().ok_or("a disk with no inertia")?;
+    let mut state = DMatrix::zeros(8, 8);
+    state.view_mut((0, 4), (4, 4)).fill_with_identity();
+    state
+        .view_mut((4, 0), (4, 4))
+        .copy_from(&(-&inverse * stiffness));
+    state
+        .view_mut((4, 4), (4, 4))
+        .copy_from(&(-&inverse * gyroscopic));
+    let exponents = state.complex_eigenvalues();
+    Ok(exponents.iter().map(|x| x.re).fold(0.0, f64::max))
+}
+
+#[test]
+fn the_growth_rates_of_flat_disks_agree() -> TestResult {
+    let mut worst = [0.0_f64; 3];
+    for beta in [1.5, 1.9, 1.98, 1.993, 1.999, 1.9999] {
+        for angle in [0.0, 0.4, FRAC_PI_2] {
+            let c = Coefficients {
+                beta,
+                ..paper(angle)
+            };
+            let start = region::start(RegionKind::Combination, &c)?;
+            let ends = combination_ends(&c, start)?;
+            // Between the ends the growth is an arch; beside them the motion is stable.
+            for part in [-0.7, -0.2, 0.1, 0.3, 0.5, 0.7, 0.9, 1.2, 1.7] {
+                let speed = ends.lower + part * ends.width();
+                let exact = growth_rate(&c, speed)?;
+                assert_eq!(exact > 0.0, (0.0..=1.0).contains(&part), "{beta} {part}");
+                let system = PeriodicSystem::rotor(&c, speed)?;
+                let others = [
+                    hill::growth_rate(&system, 1)?,
+                    growth_in_the_rotors_frame(&c, speed)?,
+                    // One period is short: its multipliers are near 1, which takes their digits.
+                    if speed < 300.0 {
+                        monodromy::growth_rate(&system, 1e-13)?
+                    } else {
+                        exact
+                    },
+                ];
+                // Both eigenproblems lose the cube of the speed: whirls of frequency 1 in matrices with its square, and
+                // exponents that differ by less than the frequencies.
+                let lost = f64::EPSILON * speed.powi(3);
+                let allowed = [1e-11 + 0.1 * lost, 1e-10 + lost, 1e-10];
+                for (way, (other, allowed)) in others.into_iter().zip(allowed).enumerate() {
+                    let error = (other - exact).abs();
+                    worst[way] = worst[way].max(error / allowed);
+                    assert!(
+                        error < allowed,
+                        "way {way}: {error:e}, {beta} {angle} {part}"
+                    );
+                }
+            }
+        }
+    }
+    println!("parts of what is allowed: {worst:?}");
+    Ok(())
+}
+
 #[test]
 fn growth_starts_at_the_ends_and_nowhere_else() -> TestResult {
     for angle in [0.0, FRAC_PI_4, FRAC_PI_2] {
@@ -673,5 +758,42 @@ fn an_end_at_which_a_minor_vanishes_is_no_end() -> TestResult {
     let start = region::start(RegionKind::Combination, &c)?;
     let ends = combination_ends(&c, start)?;
     assert_relative_eq!(ends.upper, 1.252_697_144_767_602_6, max_relative = 1e-13);
+    Ok(())
+}
+
+#[test]
+fn whirl_frequencies_at_any_speed() -> TestResult {
+    let c = paper(0.0);
+    let reserve = c.delta - c.gamma * c.gamma;
+    for speed in [1e6, 1e9, 1e13, 1e20, 1e100, 1e300] {
+        for speed in [speed, -speed] {
+            let [w1, w2, w3, w4] = whirl_frequencies(&c, speed)?;
+            let whirls = if speed > 0.0 {
+                [w1, w2, w3, w4]
+            } else {
+                [-w4, -w3, -w2, -w1]
+            };
+            // βΩ, ±1 and −C/(βΩ), each to the next order in 1/Ω.
+            let fast = c.beta * speed.abs();
+            let expected = [fast, 1.0, -reserve / fast, -1.0];
+            for (found, expected) in whirls.into_iter().zip(expected) {
+                assert_relative_eq!(found, expected, max_relative = 1e-15 + 2.0 / fast);
+            }
+        }
+    }
+    assert!(whirl_frequencies(&c, 1.7e308).is_err());
+    // A nearly uncoupled rotor, and one that is uncoupled: displacement has ±1 exactly.
+    for gamma in [1e-3, 1e-9, 1e-100, 0.0] {
+        for speed in [-3.0, 0.0, 0.2, 40.0] {
+            let found = whirl_frequencies(&uncracked(0.7, gamma, 0.3, 0.0), speed)?;
+            let rounding = if gamma == 0.0 {
+                0.0
+            } else {
+                2.0 * f64::EPSILON
+            };
+            let near = |place: f64| found.iter().any(|w| (w - place).abs() <= gamma + rounding);
+            assert!(near(1.0) && near(-1.0), "{gamma} {speed}: {found:?}");
+        }
+    }
     Ok(())
 }
