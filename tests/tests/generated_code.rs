@@ -24,15 +24,15 @@ fn the_main_formulas_take_as_many_operations_as_ever() {
     assert_eq!(
         counts,
         "\
-phi::value: 27 add, 40 mul, 0 div, 0 sqrt, 1 call
-phi::gradient: 52 add, 78 mul, 0 div, 0 sqrt, 1 call
-phi::hessian: 131 add, 181 mul, 0 div, 0 sqrt, 1 call
-phi_on_sir::value: 19 add, 30 mul, 0 div, 0 sqrt, 1 call
-phi_on_sir::gradient: 32 add, 52 mul, 0 div, 0 sqrt, 1 call
-sir_width::value: 20 add, 26 mul, 3 div, 2 sqrt, 2 call
-sir_width::gradient: 52 add, 97 mul, 7 div, 3 sqrt, 2 call
+phi::value: 28 add, 41 mul, 0 div, 0 sqrt, 1 call
+phi::gradient: 53 add, 79 mul, 0 div, 0 sqrt, 1 call
+phi::hessian: 132 add, 182 mul, 0 div, 0 sqrt, 1 call
+phi_on_sir::value: 20 add, 31 mul, 0 div, 0 sqrt, 1 call
+phi_on_sir::gradient: 33 add, 53 mul, 0 div, 0 sqrt, 1 call
+sir_width::value: 19 add, 26 mul, 3 div, 2 sqrt, 2 call
+sir_width::gradient: 49 add, 99 mul, 7 div, 3 sqrt, 2 call
 cir_width::value: 38 add, 63 mul, 2 div, 4 sqrt, 2 call
-cir_width::gradient: 113 add, 229 mul, 7 div, 4 sqrt, 2 call
+cir_width::gradient: 116 add, 241 mul, 7 div, 4 sqrt, 2 call
 "
     );
 }
