@@ -13,11 +13,13 @@ use rotor_core::quantity::{self, Quantity};
 use rotor_core::rotor::{Rotor, RotorParameters};
 
 use crate::command_line::EvaluateArguments;
+use crate::doubts::doubts;
 use crate::failure::{Failure, Outcome};
 use crate::output::{self, Destination};
 use crate::rotor_file;
+use crate::shown::brief;
 use columns::{Columns, ERROR};
-use table::{Row, Rows};
+use table::{OPEN_QUOTE, Row, Rows, TableError};
 
 /// Rows that are read before they are evaluated together, on all cores.
 const BATCH: usize = 4096;
@@ -44,7 +46,6 @@ pub(crate) fn run(arguments: &EvaluateArguments) -> Result<Outcome, Failure> {
             "the table and the base rotor cannot both be standard input",
         ));
     }
-    let base = rotor_file::load(arguments.base.as_deref())?;
     let name = name_of(&arguments.table);
     let mut rows = Rows::new(open(&arguments.table)?);
     let header = rows
@@ -61,11 +62,12 @@ pub(crate) fn run(arguments: &EvaluateArguments) -> Result<Outcome, Failure> {
     for remark in columns.remarks() {
         output::remark(&format!("warning: {name}: {remark}"));
     }
+    let base = rotor_file::load_base(arguments.base.as_deref(), &columns.input_names())?;
     let mut evaluation = Evaluation {
         name,
         columns,
         quantities,
-        base: *base.rotor.parameters(),
+        base,
         keep_going: arguments.keep_going,
         failed: 0,
         doubtful: None,
@@ -84,7 +86,11 @@ pub(crate) fn run(arguments: &EvaluateArguments) -> Result<Outcome, Failure> {
     })?;
     destination.finish()?;
     evaluation.remark_on_rows(count);
-    Ok(Outcome::Passed)
+    Ok(if count > 0 && evaluation.failed == count {
+        Outcome::CheckFailed
+    } else {
+        Outcome::Passed
+    })
 }
 
 /// The results asked for, each once, in the order asked for.
@@ -97,12 +103,16 @@ fn quantities(names: &[String]) -> Result<Vec<Quantity>, Failure> {
                     "--quantities: a name is empty; give names of results with commas between, or `all`",
                 ));
             }
-            "all" => Quantity::ALL.to_vec(),
-            name => vec![name.parse::<Quantity>().map_err(|error| {
-                Failure::input(format!(
-                    "--quantities: {error}; `rotor evaluate --help` lists all"
-                ))
-            })?],
+            name if name.eq_ignore_ascii_case("all") => Quantity::ALL.to_vec(),
+            name => vec![
+                name.to_ascii_lowercase()
+                    .parse::<Quantity>()
+                    .map_err(|error| {
+                        Failure::input(format!(
+                            "--quantities: {error}; `rotor evaluate --help` lists all"
+                        ))
+                    })?,
+            ],
         };
         for quantity in asked {
             if !quantities.contains(&quantity) {
@@ -117,7 +127,7 @@ fn name_of(path: &Path) -> String {
     if path.as_os_str() == "-" {
         "standard input".to_owned()
     } else {
-        path.display().to_string()
+        brief(&path.display().to_string())
     }
 }
 
@@ -163,6 +173,13 @@ struct Doubtful {
     first: (u64, String),
 }
 
+/// A row as it was read.
+struct Read {
+    row: Row,
+    /// Why its fields are not to be trusted.
+    broken: Option<&'static str>,
+}
+
 /// What comes of a row that is a rotor.
 struct Evaluated {
     /// The results, empty where there is none.
@@ -186,7 +203,7 @@ impl Evaluation {
                 return Ok(count);
             }
             let results: Vec<_> = batch.par_iter().map(|row| self.row(row)).collect();
-            for (row, result) in batch.iter().zip(results) {
+            for (Read { row, .. }, result) in batch.iter().zip(results) {
                 count += 1;
                 let (cells, error) = match result {
                     Ok(result) => {
@@ -213,15 +230,19 @@ impl Evaluation {
         }
     }
 
-    fn batch(&self, rows: &mut Rows<Box<dyn BufRead>>) -> Result<Vec<Row>, Failure> {
+    fn batch(&self, rows: &mut Rows<Box<dyn BufRead>>) -> Result<Vec<Read>, Failure> {
         let mut batch = Vec::new();
         while batch.len() < BATCH {
-            match rows
-                .next_row()
-                .map_err(|error| Failure::input(format!("{}: {error}", self.name)))?
-            {
-                Some(row) => batch.push(row),
-                None => break,
+            match rows.next_row() {
+                Ok(Some(row)) => batch.push(Read { row, broken: None }),
+                Ok(None) => break,
+                Err(TableError::OpenQuote { first_line: row }) if self.keep_going => {
+                    batch.push(Read {
+                        row,
+                        broken: Some(OPEN_QUOTE),
+                    });
+                }
+                Err(error) => return Err(Failure::input(format!("{}: {error}", self.name))),
             }
         }
         Ok(batch)
@@ -242,7 +263,10 @@ impl Evaluation {
     }
 
     /// The results of a row, or why it is no rotor.
-    fn row(&self, row: &Row) -> Result<Evaluated, String> {
+    fn row(&self, Read { row, broken }: &Read) -> Result<Evaluated, String> {
+        if let Some(why) = broken {
+            return Err((*why).to_owned());
+        }
         let parameters = self.columns.parameters(row, &self.base)?;
         let rotor = Rotor::new(parameters).map_err(|error| error.to_string())?;
         let mut reasons: Vec<String> = Vec::new();
@@ -263,7 +287,7 @@ impl Evaluation {
         Ok(Evaluated {
             cells,
             error: reasons.join("; "),
-            warning: rotor.warnings().first().map(ToString::to_string),
+            warning: doubts(&rotor).into_iter().next(),
         })
     }
 

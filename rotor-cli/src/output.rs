@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use tempfile::{NamedTempFile, SpooledTempFile, TempDir};
 
 use crate::failure::Failure;
+use crate::shown::escaped;
 use crate::table::wrapped;
 
 /// Writes a text to standard output.
@@ -24,7 +25,7 @@ pub(crate) fn print(text: &str) -> Result<(), Failure> {
 
 /// Writes a remark to standard error, in lines that are not too wide. A closed stderr is no reason to stop.
 pub(crate) fn remark(text: &str) {
-    drawing(wrapped(text, "").trim_end());
+    drawing(wrapped(&escaped(text), "").trim_end());
 }
 
 /// Writes to standard error what has its lines already.

@@ -9,6 +9,7 @@ mod tables;
 use rayon::prelude::*;
 
 use crate::command_line::ReportArguments;
+use crate::doubts::doubts;
 use crate::failure::{Failure, Outcome};
 use crate::figure::{Figure, FigureError};
 use crate::output::{self, StagedFolder};
@@ -30,13 +31,7 @@ pub(crate) fn run(arguments: &ReportArguments) -> Result<Outcome, Failure> {
     let analysis = Analysis::new(named)?;
     let heading = zup::heading(&analysis.named);
     let tables = tables::tables(&analysis);
-    let warnings: Vec<_> = analysis
-        .named
-        .rotor
-        .warnings()
-        .iter()
-        .map(ToString::to_string)
-        .collect();
+    let warnings = doubts(&analysis.named.rotor);
     let files: Vec<_> = figures::figures(&analysis).par_iter().map(draw).collect();
     let mut pictures = Vec::new();
     for drawn in files {

@@ -9,6 +9,7 @@ use rotor_core::zero_unstable_point::{
 };
 
 use crate::command_line::ZupArguments;
+use crate::doubts::doubts;
 use crate::failure::{Failure, Outcome};
 use crate::output;
 use crate::rotor_file::{self, NamedRotor};
@@ -21,7 +22,7 @@ use crate::table::{Cell, Table, significant, wrapped};
 /// Where the rotor cannot be read.
 pub(crate) fn run(arguments: &ZupArguments) -> Result<Outcome, Failure> {
     let named = rotor_file::load(arguments.file.as_deref())?;
-    for warning in named.rotor.warnings() {
+    for warning in doubts(&named.rotor) {
         output::remark(&format!("warning: {warning}"));
     }
     output::print(&format!(
