@@ -9,13 +9,14 @@ use std::path::Path;
 
 use csv::ByteRecord;
 use rayon::prelude::*;
-use rotor_core::quantity::{self, Quantity};
+use rotor_core::quantity::{self, Quantity, Reason};
 use rotor_core::rotor::{Rotor, RotorParameters};
 
 use crate::command_line::EvaluateArguments;
 use crate::doubts::doubts;
 use crate::failure::{Failure, Outcome};
 use crate::output::{self, Destination};
+use crate::reasons;
 use crate::rotor_file;
 use crate::shown::brief;
 use columns::{Columns, ERROR};
@@ -77,13 +78,10 @@ pub(crate) fn run(arguments: &EvaluateArguments) -> Result<Outcome, Failure> {
     titles.extend(headings);
     write(&mut writer, &titles)?;
     let count = evaluation.all(&mut rows, &mut writer)?;
-    let destination = writer.into_inner().map_err(|error| {
-        Failure::stream(
-            "write",
-            "the results",
-            io::Error::from(error.error().kind()),
-        )
-    })?;
+    let name = writer.get_ref().name();
+    let destination = writer
+        .into_inner()
+        .map_err(|error| Failure::stream("write", name, io::Error::from(error.error().kind())))?;
     destination.finish()?;
     evaluation.remark_on_rows(count);
     Ok(if count > 0 && evaluation.failed == count {
@@ -146,12 +144,21 @@ fn open(path: &Path) -> Result<Box<dyn BufRead>, Failure> {
 }
 
 fn write(writer: &mut csv::Writer<Destination>, record: &ByteRecord) -> Result<(), Failure> {
-    writer
-        .write_byte_record(record)
-        .map_err(|error| match error.into_kind() {
-            csv::ErrorKind::Io(source) => Failure::stream("write", "the results", source),
-            other => Failure::input(format!("cannot write the results: {other:?}")),
-        })
+    let written = writer.write_byte_record(record);
+    written.map_err(|error| match error.into_kind() {
+        csv::ErrorKind::Io(source) => Failure::stream("write", writer.get_ref().name(), source),
+        other => Failure::input(format!("cannot write the results: {other:?}")),
+    })
+}
+
+/// A result, or why there is none. A zero of a region may be all that is left of a number too small for double precision.
+fn checked(rotor: &Rotor, quantity: Quantity, result: Result<f64, Reason>) -> Result<f64, String> {
+    let value = result.map_err(|reason| reasons::of_quantity(&reason))?;
+    let underflow = reasons::region_of(quantity)
+        .filter(|_| value == 0.0)
+        .and_then(|kind| Some((kind, rotor.coefficients().ok()?)))
+        .and_then(|(kind, c)| reasons::out_of_range(kind, &c));
+    underflow.map_or(Ok(value), Err)
 }
 
 /// A table on its way.
@@ -270,19 +277,23 @@ impl Evaluation {
         let parameters = self.columns.parameters(row, &self.base)?;
         let rotor = Rotor::new(parameters).map_err(|error| error.to_string())?;
         let mut reasons: Vec<String> = Vec::new();
-        let cells = quantity::evaluate(&self.quantities, &rotor)
-            .into_iter()
-            .map(|result| match result {
-                // The shortest digits that read back as the same number; a zero has no sign.
-                Ok(value) => format!("{:?}", value + 0.0),
-                Err(reason) => {
-                    let reason = reason.to_string();
-                    if !reasons.contains(&reason) {
-                        reasons.push(reason);
+        let results = quantity::evaluate(&self.quantities, &rotor);
+        let cells = self
+            .quantities
+            .iter()
+            .zip(results)
+            .map(
+                |(&quantity, result)| match checked(&rotor, quantity, result) {
+                    // The shortest digits that read back as the same number; a zero has no sign.
+                    Ok(value) => format!("{:?}", value + 0.0),
+                    Err(reason) => {
+                        if !reasons.contains(&reason) {
+                            reasons.push(reason);
+                        }
+                        String::new()
                     }
-                    String::new()
-                }
-            })
+                },
+            )
             .collect();
         Ok(Evaluated {
             cells,
