@@ -8,8 +8,8 @@ use rotor_core::region::{self, RegionKind};
 use rotor_core::rotor::Rotor;
 
 use super::{
-    DEPTHS, PANELS, POSITIONS, absence, angle_axis, axis, changed, line, panel, spaced, width_at,
-    width_symbol, with_own,
+    DEPTHS, OWN_SPEED, PANELS, POSITIONS, absence, angle_axis, axis, changed, line, panel, spaced,
+    width_at, width_symbol, with_own,
 };
 use crate::figure::{Axis, Curve, Dash, Figure, Mark, Panel, Plot, Symbol};
 use crate::report::hill;
@@ -21,8 +21,15 @@ const FLOQUET_INTERVALS: usize = 16;
 
 /// Fig. 4: approximate, exact, and by Floquet theory.
 pub(super) fn verified(rotor: &Rotor) -> Figure {
+    let c = changed(rotor, |_| {});
     let panels = PANELS.map(|(kind, title)| {
-        let curves = changed(rotor, |_| {}).map_or_else(Vec::new, |c| three_ways(kind, &c));
+        let curves = c.as_ref().map_or_else(Vec::new, |c| {
+            let mut curves = three_ways(kind, c);
+            if kind == RegionKind::Simple {
+                curves.extend(upper(three_ways(RegionKind::UpperSimple, c), 3));
+            }
+            curves
+        });
         width_panel(rotor, kind, title, curves)
     });
     figure(
@@ -46,9 +53,18 @@ pub(super) fn over_depths(rotor: &Rotor) -> Figure {
         .collect();
     figure(
         "figure-6",
-        "Figure 6. Effect of the crack's depth upon the widths, Eq. (31).",
-        PANELS
-            .map(|(kind, title)| width_panel(rotor, kind, title, variant_curves(kind, &variants))),
+        &format!("Figure 6. Effect of the crack's depth upon the widths, Eq. (31). {OWN_SPEED}"),
+        PANELS.map(|(kind, title)| {
+            let mut curves = variant_curves(kind, &variants);
+            if kind == RegionKind::Simple {
+                let dashed = upper(variant_curves(RegionKind::UpperSimple, &variants), 0);
+                curves.extend(dashed.into_iter().map(|curve| Curve {
+                    mark: Mark::Line(Dash::Dashed),
+                    ..curve
+                }));
+            }
+            width_panel(rotor, kind, title, curves)
+        }),
     )
 }
 
@@ -65,10 +81,34 @@ pub(super) fn over_positions(rotor: &Rotor) -> Figure {
         .collect();
     figure(
         "figure-7",
-        "Figure 7. Effect of the crack's position upon the widths, Eq. (31).",
-        PANELS
-            .map(|(kind, title)| width_panel(rotor, kind, title, variant_curves(kind, &variants))),
+        &format!("Figure 7. Effect of the crack's position upon the widths, Eq. (31). {OWN_SPEED}"),
+        PANELS.map(|(kind, title)| {
+            let mut curves = variant_curves(kind, &variants);
+            if kind == RegionKind::Simple {
+                let dashed = upper(variant_curves(RegionKind::UpperSimple, &variants), 0);
+                curves.extend(dashed.into_iter().map(|curve| Curve {
+                    mark: Mark::Line(Dash::Dashed),
+                    ..curve
+                }));
+            }
+            width_panel(rotor, kind, title, curves)
+        }),
     )
+}
+
+/// The curves of the upper simple region as they stand beside those of the simple one, so many colours on: none where
+/// the rotor has none.
+fn upper(curves: Vec<Curve>, colours_on: usize) -> Vec<Curve> {
+    let exists = |curve: &Curve| curve.points.iter().any(|(_, y)| y.is_some());
+    curves
+        .into_iter()
+        .filter(exists)
+        .map(|curve| Curve {
+            label: format!("{}, upper SIR", curve.label),
+            colour: curve.colour + colours_on,
+            ..curve
+        })
+        .collect()
 }
 
 fn figure(name: &str, caption: &str, panels: [Panel; 2]) -> Figure {
@@ -86,10 +126,24 @@ fn width_panel(rotor: &Rotor, kind: RegionKind, title: &str, curves: Vec<Curve>)
         .flat_map(|curve| &curve.points)
         .filter_map(|(_, y)| *y)
         .fold(0.0, f64::max);
+    let drawn = curves
+        .iter()
+        .any(|curve| curve.points.iter().any(|(_, y)| y.is_some()));
     // From zero, so that a region that closes is seen to close.
     let range = Some((0.0, if most > 0.0 { 1.05 * most } else { 0.1 }));
+    let note = match absence(kind, rotor) {
+        absence if absence.is_empty() && drawn && most == 0.0 => {
+            "the region is closed: its width is 0 at every angle".to_owned()
+        }
+        absence => absence,
+    };
+    let curves = if absence(kind, rotor).is_empty() {
+        curves
+    } else {
+        Vec::new()
+    };
     Panel {
-        note: absence(kind, rotor),
+        note,
         ..panel(title, angle_axis(), Axis { range, ..y }, curves)
     }
 }
