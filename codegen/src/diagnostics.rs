@@ -100,6 +100,12 @@ pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
         .map(|(_, candidate)| candidate)
 }
 
+/// As [`nearest`], if the two have a letter in common: names of one letter are all as near to each other.
+pub fn alike<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let shares = |candidate: &&str| candidate.chars().any(|letter| word.contains(letter));
+    nearest(word, candidates.into_iter().filter(shares))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -109,5 +115,8 @@ mod tests {
         assert_eq!(nearest("omga", ["omega", "speed"]), Some("omega"));
         assert_eq!(nearest("columsn", ["columns", "gradient"]), Some("columns"));
         assert_eq!(nearest("zzzzzz", ["columns", "gradient"]), None);
+        assert_eq!(nearest("g", ["f"]), Some("f"));
+        assert_eq!(alike("z", ["x", "y"]), None);
+        assert_eq!(alike("betta", ["mu", "beta"]), Some("beta"));
     }
 }

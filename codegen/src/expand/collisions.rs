@@ -15,7 +15,8 @@ enum Kind {
 }
 
 impl Expansion {
-    /// Reports items of the module that have the name of a generated one, and leaves the generated table out.
+    /// Reports items of the module that have the name of a generated one, and leaves them out: what is generated relies on
+    /// its own.
     pub(super) fn report_collisions(&mut self) {
         let mut generated: Vec<(String, Kind, String)> = Vec::new();
         for name in self.forms.keys() {
@@ -34,48 +35,50 @@ impl Expansion {
             let what = "the table of an approximated function".to_owned();
             generated.push((name.clone(), Kind::Value, what));
         }
-        for (ident, kind) in self
-            .module
-            .item
-            .content
-            .iter()
-            .flat_map(|(_, items)| names(items))
-        {
-            let meets = |other: Kind| kind == Kind::Any || kind == other;
-            let found = generated
-                .iter()
-                .find(|(name, other, _)| ident == name && meets(*other));
-            if let Some((name, _, what)) = found {
-                self.used_tables.remove(name);
-                self.diagnostics.error_with_hint(
-                    ident.span(),
-                    format!("`{name}` is also the name of {what}"),
-                    "give this one another name",
-                );
-            }
+        let (module, diagnostics) = (&mut self.module, &mut self.diagnostics);
+        if let Some((_, items)) = &mut module.item.content {
+            items.retain(|item| {
+                let mut met = false;
+                for (ident, kind) in names(item) {
+                    let meets = |other: Kind| kind == Kind::Any || kind == other;
+                    let found = generated
+                        .iter()
+                        .find(|(name, other, _)| ident == name && meets(*other));
+                    if let Some((name, _, what)) = found {
+                        diagnostics.error_with_hint(
+                            ident.span(),
+                            format!("`{name}` is also the name of {what}"),
+                            "give this one another name",
+                        );
+                        // Others may be imported beside it.
+                        met |= kind != Kind::Any;
+                    }
+                }
+                !met
+            });
         }
     }
 }
 
-/// The names that items declare.
-fn names(items: &[Item]) -> Vec<(&Ident, Kind)> {
-    let mut names = Vec::new();
-    for item in items {
-        match item {
-            Item::Fn(item) => names.push((&item.sig.ident, Kind::Value)),
-            Item::Const(item) => names.push((&item.ident, Kind::Value)),
-            Item::Static(item) => names.push((&item.ident, Kind::Value)),
-            Item::Struct(item) => names.push((&item.ident, Kind::Type)),
-            Item::Enum(item) => names.push((&item.ident, Kind::Type)),
-            Item::Union(item) => names.push((&item.ident, Kind::Type)),
-            Item::Trait(item) => names.push((&item.ident, Kind::Type)),
-            Item::Type(item) => names.push((&item.ident, Kind::Type)),
-            Item::Mod(item) => names.push((&item.ident, Kind::Type)),
-            Item::Use(item) => imported(&item.tree, &mut names),
-            _ => {}
+/// The names that an item declares.
+fn names(item: &Item) -> Vec<(&Ident, Kind)> {
+    match item {
+        Item::Fn(item) => vec![(&item.sig.ident, Kind::Value)],
+        Item::Const(item) => vec![(&item.ident, Kind::Value)],
+        Item::Static(item) => vec![(&item.ident, Kind::Value)],
+        Item::Struct(item) => vec![(&item.ident, Kind::Type)],
+        Item::Enum(item) => vec![(&item.ident, Kind::Type)],
+        Item::Union(item) => vec![(&item.ident, Kind::Type)],
+        Item::Trait(item) => vec![(&item.ident, Kind::Type)],
+        Item::Type(item) => vec![(&item.ident, Kind::Type)],
+        Item::Mod(item) => vec![(&item.ident, Kind::Type)],
+        Item::Use(item) => {
+            let mut names = Vec::new();
+            imported(&item.tree, &mut names);
+            names
         }
+        _ => Vec::new(),
     }
-    names
 }
 
 fn imported<'i>(tree: &'i UseTree, names: &mut Vec<(&'i Ident, Kind)>) {

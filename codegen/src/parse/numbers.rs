@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::attributes::{Request, Target, root};
 use super::module::{Function, Module, ParameterKind};
-use crate::diagnostics::{Diagnostics, nearest};
+use crate::diagnostics::{Diagnostics, alike};
 use crate::graph::Sign;
 
 /// Reports what a function's forms are derived by that is no number of it.
@@ -75,8 +75,9 @@ pub(crate) fn misfit(module: &Module, function: &Function, symbol: &str) -> Opti
         let bound = function.bound_names();
         return (!bound.iter().any(|bound| bound == name)).then(|| {
             let known = bound.iter().map(String::as_str);
-            match nearest(name, known) {
-                Some(known) => format!("did you mean `{known}{}`?", &symbol[name.len()..]),
+            let meant = alike(name, known).map(|known| format!("{known}{}", &symbol[name.len()..]));
+            match meant.filter(|meant| misfit(module, function, meant).is_none()) {
+                Some(meant) => format!("did you mean `{meant}`?"),
                 None if bound.is_empty() => "it has no parameters".to_owned(),
                 None => format!("its parameters are {}", bound.join(", ")),
             }
@@ -112,7 +113,7 @@ fn misfit_of_field(name: &str, field: Option<&str>, fields: &[String]) -> Option
         return None;
     }
     let known = fields.iter().map(String::as_str);
-    Some(match field.and_then(|field| nearest(field, known)) {
+    Some(match field.and_then(|field| alike(field, known)) {
         Some(known) => format!("did you mean `{name}.{known}`?"),
         None => {
             let fields: Vec<String> = fields

@@ -56,7 +56,7 @@ mod formulas {
 
     #[generate(value)]
     pub fn other_struct(x: f64) -> Crack {
-        super::Pair { first: x, second: x }
+        x * x
     }
 
     #[generate(value)]

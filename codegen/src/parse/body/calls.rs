@@ -7,7 +7,7 @@ use syn::spanned::Spanned;
 use syn::{Expr, Pat};
 
 use super::{Reader, Scope, identifier, partial_symbols};
-use crate::diagnostics::{Diagnostics, nearest};
+use crate::diagnostics::{Diagnostics, alike, nearest};
 use crate::graph::{ExprId, SymbolId};
 use crate::parse::module::{Function, ParameterKind};
 use crate::parse::numbers;
@@ -58,10 +58,15 @@ impl<'m> Reader<'m> {
             self.all(call.args.iter(), scope);
             return None;
         };
+        let partial = partial.filter(|partial| *partial != "value");
+        if let Some(partial) = partial {
+            // Entered before it is known to exist, so that a call of one that does not is reported once.
+            self.partials.insert((function.name(), partial.clone()));
+        }
         let arguments = self.arguments(function, call, scope)?;
         match partial {
-            Some(partial) if partial != "value" => self.partial(function, partial, arguments, span),
-            _ => self.call_or_table(function, arguments, span),
+            Some(partial) => self.partial(function, partial, arguments, span),
+            None => self.call_or_table(function, arguments, span),
         }
     }
 
@@ -209,8 +214,6 @@ impl<'m> Reader<'m> {
         arguments: Vec<Value>,
         span: Span,
     ) -> Option<Value> {
-        // Entered before it is known to exist, so that a call of one that does not is reported once.
-        self.partials.insert((function.name(), partial.to_owned()));
         let prefix = format!("{}#", function.name());
         let placeholders = self.symbolic_arguments(function, &prefix);
         for number in numbers::known(self.module, function) {
@@ -276,8 +279,9 @@ impl<'m> Reader<'m> {
             [] => {
                 let known: Vec<String> =
                     names.iter().map(|(name, _)| format!("d_{name}")).collect();
-                let hint = match nearest(partial, known.iter().map(String::as_str)) {
-                    Some(known) => format!("did you mean `{known}`?"),
+                let suffix = partial.strip_prefix("d_").unwrap_or(partial);
+                let hint = match alike(suffix, names.iter().map(|(name, _)| name.as_str())) {
+                    Some(known) => format!("did you mean `d_{known}`?"),
                     None => format!(
                         "its partials are {} and those by two of these names",
                         known.join(", ")

@@ -60,7 +60,7 @@ impl<'m> Reader<'m> {
     ) -> Option<Value> {
         let values = self.all(literal.fields.iter().map(|field| &field.expr), scope);
         let base = match &literal.rest {
-            Some(rest) => Some((self.expression(rest, scope)?, rest.span())),
+            Some(rest) => Some(self.base(rest, scope)?),
             None => None,
         };
         let complete = self.check_fields(literal);
@@ -89,16 +89,11 @@ impl<'m> Reader<'m> {
             }
         };
         match base {
-            None => {}
-            Some((Value::Struct { fields: others, .. }, _)) => taken_over(&mut fields, others),
-            Some((
-                Value::Parameter {
-                    path,
-                    fields: known,
-                    replaced,
-                },
-                _,
-            )) => {
+            Some(Value::Parameter {
+                path,
+                fields: known,
+                replaced,
+            }) => {
                 taken_over(&mut fields, replaced);
                 return Some(Value::Parameter {
                     path,
@@ -106,16 +101,25 @@ impl<'m> Reader<'m> {
                     replaced: fields,
                 });
             }
-            Some((other, span)) => {
+            Some(Value::Struct { fields: others, .. }) => taken_over(&mut fields, others),
+            _ => {}
+        }
+        Some(Value::Struct { name, fields })
+    }
+
+    /// The struct that a literal takes its other fields from.
+    fn base(&mut self, rest: &syn::Expr, scope: &mut Scope) -> Option<Value> {
+        match self.expression(rest, scope)? {
+            value @ (Value::Struct { .. } | Value::Parameter { .. }) => Some(value),
+            other => {
                 self.diagnostics.error_with_hint(
-                    span,
+                    rest.span(),
                     format!("`..` needs a struct, this is {}", other.description()),
                     "name every field",
                 );
-                return None;
+                None
             }
         }
-        Some(Value::Struct { name, fields })
     }
 
     /// Reports fields that a struct of the module does not have, or that its literal leaves out.
