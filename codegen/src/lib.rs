@@ -16,22 +16,31 @@
 //! | operators | `+ - * /` |
 //! | methods | `powi(n)`, `sqrt`, `sin`, `cos`, `tan`, `exp`, `ln`, `abs`, `recip`, `mul_add`, `min`, `max` |
 //! | access | `c.field`, `a[0]`, `pair.0` |
+//! | structs | `Name { field: x }`, `Name { field: x, ..*c }` |
 //! | calls | of other formulas of the module; `f::d_x(…)`, `f::d_x_y(…)` of their partials |
 //! | integrals | `integral(\|t\| …, a..b)`, in functions that are tabulated |
 //!
 //! There are no branches, loops or assignments: a case is a formula of its own, and its caller chooses. Whatever else is
-//! found is reported at its token with what to write instead, all at once.
+//! found is reported at its token with what to write instead, all at once: also functions and constants that need
+//! themselves, results of another type than the signature says, fields that a struct of the module does not have, and names
+//! that both the author and the generator give.
 //!
 //! Attributes of a function say what is wanted: `#[generate(value, gradient(x, c.y), hessian(x, c.y), columns,
 //! budget(operations = 96))]`, `#[domain(x > 0.0)]`, `#[specialise(name, x = y, generate(…))]`,
 //! `#[approximate(x = 0.0..=1.0, factor = x.powi(2), tolerance = 1e-13)]`; see [`parse::attributes`]. The module's own
 //! attribute may hold a table of symbols for [`latex`].
 //!
+//! What is derived by, has a domain or is replaced is a number `x`, a field `c.y` or an element `a[0]`; whole parameters may
+//! be replaced, too. Without a list, partials are by every number that the function's source names, also through the
+//! formulas that it calls, in the order of its parameters; one that cancels stays among them. A budget holds for the richest
+//! form asked for, the last of value, gradient and Hessian; partials that other formulas call are not in it. A partial's
+//! name must have one meaning: beside parameters `x`, `y` and `x_y` there is no `d_x_y`.
+//!
 //! # What comes out
 //!
 //! The module as written, so that the compiler checks it and tests compare with it, and beside the function `f` a module
 //! `f` with the generated functions `value`, `gradient`, `hessian`, `columns`, `gradient_columns` and partials `d_x`, each
-//! documented with its count of operations.
+//! documented with its count of operations. What is made from a function under `#[cfg(…)]` is under it, too.
 //!
 //! ```
 //! use codegen::show;
