@@ -7,6 +7,7 @@
 //! those that lose no digits ([`rounding`]).
 
 pub mod circuit;
+pub mod constants;
 pub mod extract;
 pub mod fingerprint;
 pub mod homogeneous;

@@ -141,7 +141,8 @@ fn share_multiples(circuit: &mut Circuit) {
     let uses = circuit.uses();
     for net in circuit.nets() {
         let mut terms = multiples(circuit, net);
-        let alone = terms.len() < 2;
+        // A multiple by itself is what the others share; its negative is no multiplication of its own.
+        let alone = terms.len() < 2 && terms.iter().all(|(_, q)| q.is_positive());
         for (operand, coefficient) in &mut terms {
             let of_sum = shared(*operand, coefficient).filter(|_| !alone);
             if let Some(key) = of_sum {
