@@ -132,6 +132,9 @@ fn hint(error: &FitError<EvaluateError>) -> &'static str {
         FitError::Function { .. } => {
             "its integrals need finite bounds and an integrand that is finite between them, for all of the interval"
         }
+        FitError::Zero { .. } => {
+            "write factor = … with what vanishes there, or an interval on one side of it"
+        }
         FitError::Interval { .. } | FitError::Tolerance { .. } => {
             "the interval is of two finite numbers, the tolerance above zero"
         }
