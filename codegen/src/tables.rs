@@ -133,7 +133,7 @@ fn hint(error: &FitError<EvaluateError>) -> &'static str {
             "its integrals need finite bounds and an integrand that is finite between them, for all of the interval"
         }
         FitError::Zero { .. } => {
-            "write factor = … with what vanishes there, or an interval on one side of it"
+            "take it out with factor = …, or choose an interval on one side of it"
         }
         FitError::Interval { .. } | FitError::Tolerance { .. } => {
             "the interval is of two finite numbers, the tolerance above zero"

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand};
 
 const EXIT_CODES: &str = "Exit codes: 0 done; 1 it ran, and a check failed; 2 the input cannot be used, or a \
-file could not be read or written.";
+file could not be read or written; 130 and 143 interrupted.";
 
 /// The folder that a report goes to unless told otherwise.
 const DEFAULT_FOLDER: &str = "rotor-report";

@@ -11,7 +11,7 @@ use rotor_core::quantity::Quantity;
 
 use crate::failure::Failure;
 use crate::output;
-use crate::table::LINE;
+use crate::table::{LINE, wrapped};
 use plain_math::plain;
 
 /// The form in which an equation is shown.
@@ -118,25 +118,7 @@ fn list(equations: &[Summary]) -> String {
         let cost = cost.map_or_else(|| "an integral".to_owned(), |cost| cost.to_string());
         // Writing to a string never fails.
         let _ = writeln!(text, "{name:width$}  {cost}");
-        push_wrapped(&mut text, &plain(about));
+        text.push_str(&wrapped(&plain(about), "    "));
     }
     text
-}
-
-/// Adds the words in indented lines.
-fn push_wrapped(text: &mut String, words: &str) {
-    const INDENT: usize = 3;
-    let mut column = 0;
-    for word in words.split_whitespace() {
-        let length = 1 + word.chars().count();
-        if column == 0 || column + length > LINE {
-            text.push_str(if column == 0 { "" } else { "\n" });
-            text.push_str(&" ".repeat(INDENT));
-            column = INDENT;
-        }
-        text.push(' ');
-        text.push_str(word);
-        column += length;
-    }
-    text.push('\n');
 }

@@ -61,8 +61,8 @@ pub enum FitError<E> {
     },
     /// The function is 0 at some point, or changes its sign.
     #[error(
-        "the function has a zero between {left} and {right}, where no relative tolerance holds: take the zero out as a \
-         factor"
+        "the function vanishes or changes its sign between {left} and {right}: no relative tolerance holds at a zero, \
+         and a pole has no fit"
     )]
     Zero {
         /// A point on one side, or the zero itself.

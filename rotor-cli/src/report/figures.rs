@@ -35,20 +35,29 @@ fn with_own(values: &[f64], own: f64) -> Vec<f64> {
 /// Longer names of files are shortened in a caption.
 const LONGEST_NAME: usize = 40;
 
-/// All figures, in the order of the paper, the maps at the end.
+/// All figures, in the order of the paper, then the maps, and at the end those of the upper simple region of a rotor
+/// that has it.
 pub(crate) fn figures(analysis: &Analysis) -> Vec<Figure> {
     let rotor = &analysis.named.rotor;
     let mut figures = vec![
         whirl::figure(rotor),
-        widths::verified(rotor),
+        widths::verified(rotor, &widths::PAPER),
         coefficients::figure(rotor),
-        widths::over_depths(rotor),
-        widths::over_positions(rotor),
+        widths::over_depths(rotor, &widths::PAPER),
+        widths::over_positions(rotor, &widths::PAPER),
         zero_unstable_points::figure(rotor, RegionKind::Simple),
         zero_unstable_points::figure(rotor, RegionKind::Combination),
         maps::figure(rotor, RegionKind::Simple),
         maps::figure(rotor, RegionKind::Combination),
     ];
+    if absence(RegionKind::UpperSimple, rotor).is_empty() {
+        figures.extend([
+            widths::verified(rotor, &widths::UPPER),
+            widths::over_depths(rotor, &widths::UPPER),
+            widths::over_positions(rotor, &widths::UPPER),
+            zero_unstable_points::figure(rotor, RegionKind::UpperSimple),
+        ]);
+    }
     for figure in &mut figures {
         let rotor = rotor_of(analysis, &figure.plot);
         figure.caption.push_str(&format!(" {rotor}."));
@@ -202,12 +211,6 @@ fn width_symbol(kind: RegionKind) -> &'static str {
         RegionKind::Combination => "λ_c",
     }
 }
-
-/// The regions of the paper's figures with the titles of their panels.
-const PANELS: [(RegionKind, &str); 2] = [
-    (RegionKind::Simple, "(a) SIR"),
-    (RegionKind::Combination, "(b) CIR"),
-];
 
 #[cfg(test)]
 mod tests {
@@ -437,18 +440,34 @@ mod tests {
     }
 
     #[test]
-    fn the_upper_simple_region_has_its_curves() {
+    fn the_upper_simple_region_has_its_figures() {
         let slender = Rotor::default()
             .with(|p| p.disk_polar_inertia = 0.8 * p.disk_diametral_inertia)
             .unwrap();
         let figures = drawn(slender);
-        for (index, more) in [(1, 3), (3, 4), (4, 3)] {
-            let curves = &panels(&figures[index])[0].curves;
-            let upper = curves
-                .iter()
-                .filter(|curve| curve.label.ends_with("upper SIR"));
-            assert_eq!(upper.count(), more, "{}", figures[index].name);
+        let names: Vec<_> = figures[9..]
+            .iter()
+            .map(|figure| figure.name.as_str())
+            .collect();
+        assert_eq!(
+            names,
+            [
+                "figure-4-upper",
+                "figure-6-upper",
+                "figure-7-upper",
+                "figure-8-upper"
+            ]
+        );
+        for figure in &figures[9..] {
+            let curves = &panels(figure)[0].curves;
+            let exist = |curve: &Curve| curve.points.iter().any(|(_, y)| y.is_some());
+            assert!(
+                curves.iter().all(exist) && !curves.is_empty(),
+                "{}",
+                figure.name
+            );
         }
+        assert_eq!(drawn(Rotor::default()).len(), 9);
     }
 
     #[test]

@@ -18,10 +18,10 @@ pub(super) fn figure(rotor: &Rotor, kind: RegionKind) -> Figure {
     let own = rotor.parameters().disk_asymmetry;
     // A disk of the opposite asymmetry is the same disk turned by a quarter: it closes the region at the other angle.
     let sign = if own < 0.0 { -1.0 } else { 1.0 };
-    let (number, region, angles) = match kind {
-        RegionKind::Simple => (8, "SIR", ["π/2", "0"]),
-        RegionKind::UpperSimple => (8, "upper SIR", ["π/2", "0"]),
-        RegionKind::Combination => (9, "CIR", ["0", "π/2"]),
+    let (number, suffix, region, angles) = match kind {
+        RegionKind::Simple => (8, "", "SIR", ["π/2", "0"]),
+        RegionKind::UpperSimple => (8, "-upper", "upper SIR", ["π/2", "0"]),
+        RegionKind::Combination => (9, "", "CIR", ["0", "π/2"]),
     };
     let [angle, other] = if own < 0.0 {
         [angles[1], angles[0]]
@@ -40,7 +40,7 @@ pub(super) fn figure(rotor: &Rotor, kind: RegionKind) -> Figure {
         curves.push(line(label, index, Dash::Solid, along));
         annotations.extend(shown(rotor, kind, position).iter().filter_map(|point| {
             let at = (point.value, closing(point.value)?);
-            let mut label = format!("σ_{{ZUP}} = {:.4}", point.value);
+            let mut label = format!("σ = {:.4}", point.value);
             if at.1 * own < 0.0 {
                 label.push_str(&format!(" at φ = {other}"));
             }
@@ -62,7 +62,7 @@ pub(super) fn figure(rotor: &Rotor, kind: RegionKind) -> Figure {
     panel.annotations = annotations;
     panel.note = absence;
     Figure {
-        name: format!("figure-{number}"),
+        name: format!("figure-{number}{suffix}"),
         caption: format!(
             "Figure {number}. Disk asymmetry that closes the {region} at φ = {angle} over the crack's depth, Eq. (32); \
              at φ = {other} the opposite one closes it.{marked}"
