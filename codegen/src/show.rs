@@ -133,7 +133,7 @@ pub fn latex(expansion: &Expansion, name: &str) -> Result<String, ShowError> {
         .map_err(|error| ShowError::Mistakes(error.to_string()))
 }
 
-/// As [`latex`], with the definitions of all formulas that it calls; see [`latex::in_full`].
+/// As [`latex()`], with the definitions of all formulas that it calls; see [`in_full`](mod@latex).
 ///
 /// # Errors
 /// There is no such formula, or one of them has mistakes.

@@ -1,5 +1,5 @@
 //! Elementary functions of constants, computed when the crate is built: whole numbers as fixed-point numbers of
-//! [`BITS`] bits behind the point, so that far more digits are right than any number type of the output has.
+//! `BITS` bits behind the point, so that far more digits are right than any number type of the output has.
 //!
 //! What has no finite value, such as the root or logarithm of a negative number, is not folded: the code computes it, and it
 //! is NaN there as in the function as written.
