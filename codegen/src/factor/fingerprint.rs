@@ -25,12 +25,23 @@ impl Residue {
 
     /// The residue of a rational number; one whose denominator the prime divides counts as 0.
     pub fn rational(value: &Rational) -> Self {
-        let residue = |whole: &BigInt| {
-            let modulus = BigInt::from(PRIME);
-            let reduced = ((whole % &modulus) + &modulus) % &modulus;
-            Self(reduced.to_u64().unwrap_or(0))
-        };
-        residue(value.numer()).times(residue(value.denom()).inverse())
+        let numerator = Self::whole(value.numer());
+        // Most constants of formulas are whole, and an inverse takes a hundred products.
+        if value.is_integer() {
+            numerator
+        } else {
+            numerator.times(Self::whole(value.denom()).inverse())
+        }
+    }
+
+    fn whole(value: &BigInt) -> Self {
+        if let Some(small) = value.to_i64().filter(|small| small.unsigned_abs() < PRIME) {
+            let size = Self(small.unsigned_abs());
+            return if small < 0 { size.negative() } else { size };
+        }
+        let modulus = BigInt::from(PRIME);
+        let reduced = ((value % &modulus) + &modulus) % &modulus;
+        Self(reduced.to_u64().unwrap_or(0))
     }
 
     /// The sum.
@@ -46,8 +57,10 @@ impl Residue {
 
     /// The product.
     pub fn times(self, other: Self) -> Self {
-        let wide = u128::from(self.0) * u128::from(other.0) % u128::from(PRIME);
-        Self(u64::try_from(wide).unwrap_or(0))
+        // 2⁶¹ is 1 in the field: the bits from there on are added to those below.
+        let wide = u128::from(self.0) * u128::from(other.0);
+        let (low, high) = ((wide as u64) & PRIME, (wide >> 61) as u64);
+        Self(low).plus(Self(high))
     }
 
     /// The power.
