@@ -30,9 +30,9 @@ phi::hessian: 132 add, 182 mul, 0 div, 0 sqrt, 1 call
 phi_on_sir::value: 20 add, 31 mul, 0 div, 0 sqrt, 1 call
 phi_on_sir::gradient: 33 add, 53 mul, 0 div, 0 sqrt, 1 call
 sir_width::value: 19 add, 26 mul, 3 div, 2 sqrt, 2 call
-sir_width::gradient: 49 add, 99 mul, 7 div, 3 sqrt, 2 call
+sir_width::gradient: 47 add, 93 mul, 7 div, 3 sqrt, 2 call
 cir_width::value: 38 add, 63 mul, 2 div, 4 sqrt, 2 call
-cir_width::gradient: 116 add, 241 mul, 7 div, 4 sqrt, 2 call
+cir_width::gradient: 117 add, 244 mul, 7 div, 4 sqrt, 2 call
 "
     );
 }
