@@ -106,9 +106,10 @@ fn lowered_forms(graph: Graph, roots: Vec<ExprId>, outputs: &Outputs) -> Vec<Cir
     let merged = again(rewrite::roots::without_quotients(&graph, &roots));
     let factored = again(rewrite::common::take_out(&merged.0, &merged.1));
     let joined = again(rewrite::roots::join(&factored.0, &factored.1));
+    let remerged = again(rewrite::roots::without_quotients(&joined.0, &joined.1));
     let exponentials = rewrite::exponentials::forms(&joined.0, &joined.1);
     let mut forms: Vec<Circuit> = Vec::new();
-    let ways = [(graph, roots), merged, factored, joined].into_iter();
+    let ways = [(graph, roots), merged, factored, joined, remerged].into_iter();
     for (mut graph, roots) in ways.chain(exponentials.into_iter().map(again)) {
         let rebuilt = homogeneous::rebuild_values(&mut graph, &outputs.with_all(&roots));
         for roots in [Some(roots), rebuilt].into_iter().flatten() {

@@ -7,53 +7,23 @@ use super::{applied, product, simplify};
 use crate::factor::fingerprint::{Residue, near};
 use crate::graph::{ExprId, Function, Graph, Node, Rational, ratio};
 
-/// Beside another division, √(a/b) is √(ab)/|b|: one division for both.
+/// √(a/b) is √(ab)/|b|: one division for it and for what else divides by b.
 pub(super) fn root_of_quotient(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
-    let Node::Product(factors) = graph.node(id).clone() else {
-        return None;
-    };
-    let has_fraction = |graph: &Graph, id: ExprId| {
-        operand_of(graph, id, Function::Sqrt).is_some_and(|radicand| {
-            parts(graph, radicand)
-                .1
-                .iter()
-                .any(|(_, exponent)| *exponent < 0)
-        })
-    };
-    let fractions = factors
-        .iter()
-        .filter(|(factor, _)| has_fraction(graph, *factor))
-        .count();
-    let divisions = factors
-        .iter()
-        .filter(|(factor, exponent)| *exponent < 0 && !has_fraction(graph, *factor))
-        .count();
-    if fractions == 0 || fractions + divisions < 2 {
+    let radicand = operand_of(graph, id, Function::Sqrt)?;
+    let (coefficient, factors) = parts(graph, radicand);
+    if factors.iter().all(|(_, exponent)| *exponent > 0) {
         return None;
     }
-    let mut changed = Vec::new();
+    let (mut inside, mut outside) = (Vec::new(), Vec::new());
     for (factor, exponent) in factors {
-        let Some(radicand) =
-            operand_of(graph, factor, Function::Sqrt).filter(|_| has_fraction(graph, factor))
-        else {
-            changed.push((factor, exponent));
-            continue;
-        };
-        let (coefficient, inner) = parts(graph, radicand);
-        let mut joined = Vec::new();
-        for (inner_factor, inner_exponent) in inner {
-            if inner_exponent < 0 {
-                changed.push((
-                    applied(graph, Function::Abs, inner_factor),
-                    inner_exponent * exponent,
-                ));
-            }
-            joined.push((inner_factor, inner_exponent.abs()));
+        if exponent < 0 {
+            outside.push((applied(graph, Function::Abs, factor), exponent));
         }
-        let radicand = scaled(graph, coefficient, joined);
-        changed.push((applied(graph, Function::Sqrt, radicand), exponent));
+        inside.push((factor, exponent.abs()));
     }
-    Some(product(graph, changed))
+    let radicand = scaled(graph, coefficient, inside);
+    outside.push((applied(graph, Function::Sqrt, radicand), 1));
+    Some(product(graph, outside))
 }
 
 pub(super) fn inverse_root(graph: &mut Graph, id: ExprId) -> Option<ExprId> {

@@ -38,8 +38,8 @@ pub fn join(graph: &Graph, roots: &[ExprId]) -> (Graph, Vec<ExprId>) {
     (target, roots)
 }
 
-/// Rebuilds the roots of the graph with √(ab)/|b| for √(a/b) beside another division. It saves a division, but ab may
-/// leave the range of numbers where a/b does not.
+/// Rebuilds the roots of the graph with √(ab)/|b| for √(a/b). It saves a division beside others by b, but ab may leave
+/// the range of numbers where a/b does not.
 pub fn without_quotients(graph: &Graph, roots: &[ExprId]) -> (Graph, Vec<ExprId>) {
     let mut target = Graph::with_symbols_of(graph);
     let roots = graph.rebuild(&mut target, roots, |target, _, image| {

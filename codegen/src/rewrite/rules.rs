@@ -66,7 +66,7 @@ pub const RULES: &[Rule] = &[
 /// Rules that save operations but may lose range, or cost some; each is one of the ways among which the cheapest is chosen.
 #[rustfmt::skip]
 pub const TRIED: &[Rule] = &[
-    Rule { name: "root of a quotient",     pattern: "(x / y).sqrt() / z",                     result: "(x * y).sqrt() / (y.abs() * z)",        given: "",                   apply: root_of_quotient },
+    Rule { name: "root of a quotient",     pattern: "(x / y).sqrt() / y",                     result: "(x * y).sqrt() / (y.abs() * y)",        given: "",                   apply: root_of_quotient },
     Rule { name: "product of exps",        pattern: "x.exp() * y.exp() * z",                  result: "(x + y).exp() * z",                     given: "",                   apply: product_of_exponentials },
 ];
 
