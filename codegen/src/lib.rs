@@ -83,6 +83,24 @@
 //! counted: operands come before their users, sums and products are taken apart as they will be computed, a division is an
 //! operation of its own. What is counted is what is emitted.
 //!
+//! # Limits
+//!
+//! What a generated form does at the edges of a formula:
+//!
+//! - **Constants.** Functions of constants are computed when the crate is built, to more digits than a literal has. The
+//!   root or logarithm of a negative constant is left in the code and is NaN there, as it is in the function as written.
+//! - **Corners.** The derivative of a size is its `signum`, 1 at `0.0`; that of the smaller and larger of two is that of the
+//!   one that is taken, of the first of two equals for `min` and of the second for `max`.
+//! - **Roots of 0.** A derivative is finite where every part of it is: that of $\sqrt{x^3}$ is, because it is written
+//!   $\tfrac32\sqrt x$. That of $\sqrt{x^4 + y^4}$ at the origin is 0 but comes out as $0\cdot\infty$, NaN; so does the one of
+//!   $\sqrt{x^2 + y^2}$, which has none there.
+//! - **Second derivatives.** Fractions whose difference cancels are joined where a part of a sum, or a rational multiple
+//!   of a term of it, is left: those of $\sqrt{x^2 + x + 1}$ keep all digits for all $x$. Where more is left nothing is
+//!   multiplied out, and the digits are lost: the second derivative of $\sqrt{x^2 + 1/x}$ is off by $5\cdot10^{-9}$ of itself at
+//!   $x = 10^3$, by $3\cdot10^{-5}$ at $10^4$, and by half of itself at $10^6$.
+//! - **Range.** Forms are compared at numbers up to $10^{\pm170}$. One that stays finite there, where the formula does, is
+//!   taken if it costs no more than an eighth and a division beyond the cheapest.
+//!
 //! # Modules, in the order in which a formula passes
 //!
 //! | | |

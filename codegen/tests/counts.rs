@@ -128,3 +128,22 @@ fn a_derivative_of_an_extreme_is_one_choice() {
     assert_eq!((cost.choice, cost.call, cost.add), (3, 0, 0));
     assert!(cost.mul <= 2, "{cost}");
 }
+
+#[test]
+fn small_formulas_take_as_few_operations_as_by_hand() {
+    let counts = |function: &str, form| {
+        let cost = cost(function, form);
+        (cost.add, cost.mul, cost.div, cost.sqrt, cost.call)
+    };
+    let polynomial = "fn f(x: f64) -> f64 { 1.0 + 2.0 * x + 3.0 * x.powi(2) + 5.0 * x.powi(3) + 7.0 * x.powi(4) }";
+    assert_eq!(counts(polynomial, Form::Gradient), (7, 7, 0, 0, 0));
+    let cubed = "fn f(x: f64, y: f64) -> f64 { (x * x + y * y).powi(3).sqrt() }";
+    assert_eq!(counts(cubed, Form::Gradient), (1, 6, 0, 1, 0));
+    let quartic = "fn f(x: f64, y: f64) -> f64 { (x.powi(4) + y.powi(4)).sqrt() }";
+    assert_eq!(counts(quartic, Form::Gradient), (1, 8, 1, 1, 0));
+    let exponentials =
+        "fn f(x: f64, y: f64) -> f64 { x.exp() * y.exp() + (-x).exp() + (2.0 * x).exp() }";
+    assert_eq!(counts(exponentials, Form::Value).4, 2);
+    let product = "fn f(x: f64, y: f64) -> f64 { x.exp() * y.exp() }";
+    assert_eq!(counts(product, Form::Value), (1, 0, 0, 0, 1));
+}

@@ -104,3 +104,17 @@ fn sizes_beside_their_numbers_leave_no_signs() {
     let text = code(sizes, Form::Gradient);
     assert!(!text.contains("signum"), "{text}");
 }
+
+#[test]
+fn numbers_far_from_one_stay_in_range() {
+    let quotient = "fn f(x: f64, y: f64) -> f64 { (x / y).sqrt() / y }";
+    for x in [1e-170, 1e-100, 1.0, 1e100, 1e170] {
+        let found = at(quotient, Form::Value, &[x, x])[0];
+        assert!((found * x - 1.0).abs() < 1e-14, "{x}: {found}");
+        let root = "fn f(x: f64, y: f64) -> f64 { (x / y).sqrt() }";
+        let slopes = at(root, Form::Gradient, &[x, x]);
+        for (found, expected) in slopes.iter().zip([1.0, 0.5 / x, -0.5 / x]) {
+            assert!((found / expected - 1.0).abs() < 1e-14, "{x}: {slopes:?}");
+        }
+    }
+}

@@ -5,6 +5,8 @@
 //! with a probability of at most (d/p)² (Schwartz and Zippel), 1e-30 for the degrees of formulas. The points are fixed,
 //! so that the same formulas always give the same code.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use num_bigint::BigInt;
 use num_traits::ToPrimitive;
 
@@ -193,6 +195,31 @@ pub fn all_at(graph: &Graph, roots: &[ExprId], point: u64) -> Vec<Residue> {
         values[id.index()] = value;
     }
     values
+}
+
+/// The values of the roots at a point, where what lies deeper than so many operations, and every function that is neither
+/// a sum nor a product, stands for itself, like a symbol: what is equal so is equal.
+pub fn near(graph: &Graph, roots: &[ExprId], depth: usize, point: u64) -> Vec<Residue> {
+    let mut opened: BTreeSet<ExprId> = BTreeSet::new();
+    let mut level: BTreeSet<ExprId> = roots.iter().copied().collect();
+    for _ in 0..depth {
+        let inner = level.iter().filter(|id| !opened.contains(id)).copied();
+        let inner: Vec<ExprId> = inner
+            .filter(|id| !matches!(graph.node(*id), Node::Apply(..) | Node::Tabulated { .. }))
+            .collect();
+        opened.extend(&inner);
+        level = inner.iter().flat_map(|id| graph.operands(*id)).collect();
+    }
+    let mut values: BTreeMap<ExprId, Residue> = BTreeMap::new();
+    let itself = |id: ExprId| Residue(scramble(scramble(!point) ^ (id.index() as u64)));
+    for id in opened {
+        let value = node_at(graph, id, point, |operand| {
+            values.get(&operand).copied().unwrap_or(itself(operand))
+        });
+        values.insert(id, value);
+    }
+    let value = |id: &ExprId| values.get(id).copied().unwrap_or(itself(*id));
+    roots.iter().map(value).collect()
 }
 
 /// Whether the fingerprint is that of zero.

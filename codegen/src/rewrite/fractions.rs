@@ -4,56 +4,26 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::rules::{operand_of, parts, scaled};
 use super::{applied, product, simplify};
-use crate::factor::fingerprint::all_at;
+use crate::factor::fingerprint::{Residue, near};
 use crate::graph::{ExprId, Function, Graph, Node, Rational, ratio};
 
-/// Beside another division, √(a/b) is √(ab)/|b|: one division for both.
+/// √(a/b) is √(ab)/|b|: one division for it and for what else divides by b.
 pub(super) fn root_of_quotient(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
-    let Node::Product(factors) = graph.node(id).clone() else {
-        return None;
-    };
-    let has_fraction = |graph: &Graph, id: ExprId| {
-        operand_of(graph, id, Function::Sqrt).is_some_and(|radicand| {
-            parts(graph, radicand)
-                .1
-                .iter()
-                .any(|(_, exponent)| *exponent < 0)
-        })
-    };
-    let fractions = factors
-        .iter()
-        .filter(|(factor, _)| has_fraction(graph, *factor))
-        .count();
-    let divisions = factors
-        .iter()
-        .filter(|(factor, exponent)| *exponent < 0 && !has_fraction(graph, *factor))
-        .count();
-    if fractions == 0 || fractions + divisions < 2 {
+    let radicand = operand_of(graph, id, Function::Sqrt)?;
+    let (coefficient, factors) = parts(graph, radicand);
+    if factors.iter().all(|(_, exponent)| *exponent > 0) {
         return None;
     }
-    let mut changed = Vec::new();
+    let (mut inside, mut outside) = (Vec::new(), Vec::new());
     for (factor, exponent) in factors {
-        let Some(radicand) =
-            operand_of(graph, factor, Function::Sqrt).filter(|_| has_fraction(graph, factor))
-        else {
-            changed.push((factor, exponent));
-            continue;
-        };
-        let (coefficient, inner) = parts(graph, radicand);
-        let mut joined = Vec::new();
-        for (inner_factor, inner_exponent) in inner {
-            if inner_exponent < 0 {
-                changed.push((
-                    applied(graph, Function::Abs, inner_factor),
-                    inner_exponent * exponent,
-                ));
-            }
-            joined.push((inner_factor, inner_exponent.abs()));
+        if exponent < 0 {
+            outside.push((applied(graph, Function::Abs, factor), exponent));
         }
-        let radicand = scaled(graph, coefficient, joined);
-        changed.push((applied(graph, Function::Sqrt, radicand), exponent));
+        inside.push((factor, exponent.abs()));
     }
-    Some(product(graph, changed))
+    let radicand = scaled(graph, coefficient, inside);
+    outside.push((applied(graph, Function::Sqrt, radicand), 1));
+    Some(product(graph, outside))
 }
 
 pub(super) fn inverse_root(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
@@ -244,7 +214,10 @@ fn remainder(
             return Some((vec![place], graph.sum(left), a.clone()));
         }
     }
-    if quotients.len() > MOST_TERMS || inner.len() > MOST_TERMS {
+    if quotients.len() > MOST_TERMS
+        || inner.len() > MOST_TERMS
+        || !are_alike(graph, inner, quotients)
+    {
         return None;
     }
     let multiplied = inner.iter().map(|(operand, q)| (*operand, a * q));
@@ -256,20 +229,59 @@ fn remainder(
     Some(((0..quotients.len()).collect(), candidate, scale))
 }
 
+/// Whether the quotients are polynomials in what the terms of a sum are made of, so that they may cancel; a look that is
+/// cheap beside that at the values.
+fn are_alike(
+    graph: &Graph,
+    inner: &[(ExprId, Rational)],
+    quotients: &[(ExprId, Rational)],
+) -> bool {
+    let atoms: BTreeSet<ExprId> = inner
+        .iter()
+        .flat_map(|(operand, _)| parts(graph, *operand).1)
+        .map(|(factor, _)| factor)
+        .chain([graph.one()])
+        .collect();
+    let is_made_of_them = |id: ExprId| {
+        let factors = parts(graph, id).1;
+        factors.iter().all(|(factor, _)| atoms.contains(factor))
+    };
+    quotients.iter().all(|(quotient, _)| {
+        let factors = parts(graph, *quotient).1;
+        factors.into_iter().all(|(factor, exponent)| {
+            let terms = match graph.node(factor) {
+                Node::Sum(terms) => terms.iter().all(|(term, _)| is_made_of_them(*term)),
+                _ => false,
+            };
+            exponent > 0 && (terms || atoms.contains(&factor))
+        })
+    })
+}
+
+/// How deep the terms of a difference are looked into.
+const DEPTH: usize = 6;
+
 /// The first candidate that an expression is a rational multiple of, as told by their values in a prime field.
 fn rational_multiple(
     graph: &Graph,
     of: ExprId,
     candidates: &[ExprId],
 ) -> Option<(ExprId, Rational)> {
-    let roots: Vec<ExprId> = candidates.iter().copied().chain([of]).collect();
-    let values = [0, 1].map(|point| all_at(graph, &roots, point));
-    candidates.iter().find_map(|candidate| {
-        let [first, second] = [&values[0], &values[1]]
-            .map(|at| at[of.index()].times(at[candidate.index()].inverse()));
-        let (n, d) = first
-            .as_fraction()
-            .filter(|(n, _)| *n != 0 && first == second)?;
-        Some((*candidate, ratio(n, d)))
-    })
+    let roots: Vec<ExprId> = [&[of], candidates].concat();
+    let values = [0, 1].map(|point| near(graph, &roots, DEPTH, point));
+    let ratios = values.map(|at| {
+        let divisors = at[1..].iter();
+        divisors
+            .map(|divisor| at[0].times(divisor.inverse()))
+            .collect::<Vec<_>>()
+    });
+    candidates
+        .iter()
+        .enumerate()
+        .find_map(|(place, candidate)| {
+            let [first, second] = [ratios[0][place], ratios[1][place]];
+            let same = first == second && first != Residue::ZERO;
+            let (n, d) = first.as_fraction().filter(|_| same)?;
+            Some((*candidate, ratio(n, d)))
+        })
 }

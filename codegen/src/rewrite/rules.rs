@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use num_bigint::BigInt;
 use num_traits::{One, Pow, Signed, Zero};
 
+use super::exponentials::product_of_exponentials;
 use super::fractions::{
     cancelling_fractions, inverse_root, nested_absolute_fraction, nested_fraction, root_of_quotient,
 };
@@ -39,7 +40,6 @@ pub const RULES: &[Rule] = &[
     Rule { name: "sign beside its root",   pattern: "x.signum() / (x * y).sqrt()",            result: "1.0 / (x * y).sqrt()",                  given: "y > 0.0",            apply: root_bounds_operand },
     Rule { name: "fractions that cancel",  pattern: "1.0 / z - x.powi(2) / ((x.powi(2) + y) * z)", result: "y / ((x.powi(2) + y) * z)",        given: "",                   apply: cancelling_fractions },
     Rule { name: "fractions of a constant difference", pattern: "1.0 / z - (2.0 * x + y).powi(2) / (4.0 * (x.powi(2) + x * y + y.powi(2)) * z)", result: "0.75 * y.powi(2) / ((x.powi(2) + x * y + y.powi(2)) * z)", given: "", apply: cancelling_fractions },
-    Rule { name: "root of a quotient",     pattern: "(x / y).sqrt() / z",                     result: "(x * y).sqrt() / (y.abs() * z)",        given: "",                   apply: root_of_quotient },
     Rule { name: "inverse root",           pattern: "1.0 / (x / y).sqrt()",                   result: "(y / x).sqrt()",                        given: "",                   apply: inverse_root },
     Rule { name: "nested fraction",        pattern: "1.0 / (x / y - z / w)",                  result: "y * w / (x * w - y * z)",               given: "",                   apply: nested_fraction },
     Rule { name: "nested absolute fraction", pattern: "1.0 / (x / y - z / w).abs()",          result: "y.abs() * w.abs() / (x * w - y * z).abs()", given: "",               apply: nested_absolute_fraction },
@@ -61,6 +61,13 @@ pub const RULES: &[Rule] = &[
     Rule { name: "smaller by sign",        pattern: "x.min(y)",                               result: "y",                                     given: "x >= 0.0, y <= 0.0", apply: extreme_by_sign },
     Rule { name: "larger by sign",         pattern: "x.max(0.0)",                             result: "x",                                     given: "x >= 0.0",           apply: extreme_by_sign },
     Rule { name: "value at zero",          pattern: "0.0_f64.exp() + 0.0_f64.sin() + 0.0_f64.cos() + 1.0_f64.ln()", result: "2.0",             given: "",                   apply: value_at_number },
+];
+
+/// Rules that save operations but may lose range, or cost some; each is one of the ways among which the cheapest is chosen.
+#[rustfmt::skip]
+pub const TRIED: &[Rule] = &[
+    Rule { name: "root of a quotient",     pattern: "(x / y).sqrt() / y",                     result: "(x * y).sqrt() / (y.abs() * y)",        given: "",                   apply: root_of_quotient },
+    Rule { name: "product of exps",        pattern: "x.exp() * y.exp() * z",                  result: "(x + y).exp() * z",                     given: "",                   apply: product_of_exponentials },
 ];
 
 /// A rational multiple of a product, taken apart.
