@@ -14,6 +14,8 @@ pub struct Cost {
     pub div: usize,
     /// Square roots.
     pub sqrt: usize,
+    /// Choices: the smaller or larger of two, and the one or the other by a comparison.
+    pub choice: usize,
     /// Calls of all other functions, and tabulated functions.
     pub call: usize,
 }
@@ -31,13 +33,16 @@ pub enum Measure {
     Div,
     /// Square roots.
     Sqrt,
+    /// Choices.
+    Choice,
     /// Calls.
     Call,
 }
 
 impl Measure {
     /// The names in a budget.
-    pub const NAMES: [&'static str; 6] = ["operations", "add", "mul", "div", "sqrt", "call"];
+    pub const NAMES: [&'static str; 7] =
+        ["operations", "add", "mul", "div", "sqrt", "choice", "call"];
 
     /// The count of that name.
     pub fn named(name: &str) -> Option<Self> {
@@ -47,6 +52,7 @@ impl Measure {
             "mul" => Self::Mul,
             "div" => Self::Div,
             "sqrt" => Self::Sqrt,
+            "choice" => Self::Choice,
             "call" => Self::Call,
             _ => return None,
         })
@@ -60,6 +66,7 @@ impl Measure {
             Self::Mul => "mul",
             Self::Div => "div",
             Self::Sqrt => "sqrt",
+            Self::Choice => "choice",
             Self::Call => "call",
         }
     }
@@ -79,14 +86,15 @@ impl Cost {
             Measure::Mul => self.mul,
             Measure::Div => self.div,
             Measure::Sqrt => self.sqrt,
+            Measure::Choice => self.choice,
             Measure::Call => self.call,
         }
     }
 
-    /// What the operations take, in additions: divisions and roots occupy their port 8 and 10 times as long, a call
-    /// costs some 20.
+    /// What the operations take, in additions: divisions and roots occupy their port 8 and 10 times as long, a choice
+    /// is a comparison and a selection, a call costs some 20.
     pub fn weight(&self) -> usize {
-        self.add + self.mul + 8 * self.div + 10 * self.sqrt + 20 * self.call
+        self.add + self.mul + 8 * self.div + 10 * self.sqrt + 2 * self.choice + 20 * self.call
     }
 }
 
@@ -99,6 +107,7 @@ impl Add for Cost {
             mul: self.mul + other.mul,
             div: self.div + other.div,
             sqrt: self.sqrt + other.sqrt,
+            choice: self.choice + other.choice,
             call: self.call + other.call,
         }
     }
@@ -117,11 +126,14 @@ impl fmt::Display for Cost {
             mul,
             div,
             sqrt,
+            choice,
             call,
         } = self;
-        write!(
-            f,
-            "{add} add, {mul} mul, {div} div, {sqrt} sqrt, {call} call"
-        )
+        write!(f, "{add} add, {mul} mul, {div} div, {sqrt} sqrt")?;
+        // Few formulas have any.
+        if *choice > 0 {
+            write!(f, ", {choice} choice")?;
+        }
+        write!(f, ", {call} call")
     }
 }

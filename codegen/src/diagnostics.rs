@@ -10,7 +10,7 @@ pub struct Diagnostic {
     /// What is wrong.
     pub message: String,
     /// What to do.
-    pub hint: Option<String>,
+    pub hint: String,
 }
 
 /// The messages of one pass.
@@ -20,16 +20,7 @@ pub struct Diagnostics {
 }
 
 impl Diagnostics {
-    /// Adds a message.
-    pub fn error(&mut self, span: Span, message: impl Into<String>) {
-        self.messages.push(Diagnostic {
-            span,
-            message: message.into(),
-            hint: None,
-        });
-    }
-
-    /// Adds a message with a hint.
+    /// Adds a message with its hint: no message goes without.
     pub fn error_with_hint(
         &mut self,
         span: Span,
@@ -39,20 +30,31 @@ impl Diagnostics {
         self.messages.push(Diagnostic {
             span,
             message: message.into(),
-            hint: Some(hint.into()),
+            hint: hint.into(),
         });
     }
 
-    /// Adds a parser's own message.
-    pub fn syntax(&mut self, error: &syn::Error) {
+    /// Adds a parser's own message, with what is written there instead.
+    pub fn syntax(&mut self, error: &syn::Error, hint: &str) {
         for error in error.clone() {
-            self.error(error.span(), error.to_string());
+            self.error_with_hint(error.span(), error.to_string(), hint);
         }
+    }
+
+    /// The message that was found first.
+    pub fn first(&self) -> Option<&Diagnostic> {
+        self.messages.first()
     }
 
     /// Takes over the messages of another pass.
     pub fn append(&mut self, other: Self) {
         self.messages.extend(other.messages);
+    }
+
+    /// Takes off all messages but the first `length`.
+    pub fn split_off(&mut self, length: usize) -> Self {
+        let messages = self.messages.split_off(length.min(self.messages.len()));
+        Self { messages }
     }
 
     /// Whether nothing is wrong.
@@ -84,10 +86,7 @@ impl Diagnostics {
 impl Diagnostic {
     /// The message with its hint on a line of its own.
     pub fn text(&self) -> String {
-        match &self.hint {
-            Some(hint) => format!("{}\n  help: {hint}", self.message),
-            None => self.message.clone(),
-        }
+        format!("{}\n  help: {}", self.message, self.hint)
     }
 }
 
@@ -101,6 +100,12 @@ pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
         .map(|(_, candidate)| candidate)
 }
 
+/// As [`nearest`], if the two have a letter in common: names of one letter are all as near to each other.
+pub fn alike<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let shares = |candidate: &&str| candidate.chars().any(|letter| word.contains(letter));
+    nearest(word, candidates.into_iter().filter(shares))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -110,5 +115,8 @@ mod tests {
         assert_eq!(nearest("omga", ["omega", "speed"]), Some("omega"));
         assert_eq!(nearest("columsn", ["columns", "gradient"]), Some("columns"));
         assert_eq!(nearest("zzzzzz", ["columns", "gradient"]), None);
+        assert_eq!(nearest("g", ["f"]), Some("f"));
+        assert_eq!(alike("z", ["x", "y"]), None);
+        assert_eq!(alike("betta", ["mu", "beta"]), Some("beta"));
     }
 }

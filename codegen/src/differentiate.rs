@@ -2,43 +2,118 @@
 //!
 //! Each node's rule is written over its own value, as in $(\sqrt u)' = u'/(2\sqrt u)$ or
 //! $(u/v)' = (u' - (u/v)\,v')/v$, so that a derivative is finite wherever the function and its parts are.
+//!
+//! Not where a part has no finite derivative though the whole has one: the slope of $\sqrt u$ is infinite at $u = 0$, and
+//! that of $\sqrt{x^4 + y^4}$, which is 0 at the origin, comes out as $0 \cdot \infty$, NaN. No rule without a case can tell
+//! it from $\sqrt{x^2 + y^2}$, which has none there; the caller keeps away from such a point, or writes the limit as a formula
+//! of its own.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::graph::{ExprId, Function, Graph, Node, Rational, SymbolId, ratio, whole};
+use crate::rewrite::common::over_common_divisor;
 
 /// The first partials of a function by the given symbols, in their order.
 pub fn gradient(graph: &mut Graph, function: ExprId, by: &[SymbolId]) -> Vec<ExprId> {
-    let wanted: BTreeSet<SymbolId> = by.iter().copied().collect();
-    let depends = graph.depends_on(&wanted);
-    let order = graph.reachable(&[function]);
-    let mut adjoints: BTreeMap<ExprId, Vec<(ExprId, Rational)>> = BTreeMap::new();
-    let mut of_symbols: BTreeMap<SymbolId, ExprId> = BTreeMap::new();
-    adjoints.insert(function, vec![(graph.one(), whole(1))]);
-    for id in order.into_iter().rev() {
-        if !depends[id.index()] {
-            continue;
+    Sweeps {
+        by,
+        known: BTreeMap::new(),
+    }
+    .partials(graph, function)
+}
+
+/// The sweeps for one gradient: one for the function, and one for each alternative of a choice in it.
+struct Sweeps<'a> {
+    by: &'a [SymbolId],
+    /// The partials of alternatives.
+    known: BTreeMap<ExprId, Vec<ExprId>>,
+}
+
+/// What a node's users pass on to it, to be summed.
+type Adjoints = BTreeMap<ExprId, Vec<(ExprId, Rational)>>;
+
+impl Sweeps<'_> {
+    fn partials(&mut self, graph: &mut Graph, function: ExprId) -> Vec<ExprId> {
+        if let Some(known) = self.known.get(&function) {
+            return known.clone();
         }
-        let Some(contributions) = adjoints.remove(&id) else {
-            continue;
-        };
-        let adjoint = graph.sum(contributions);
-        if let Node::Symbol(symbol) = graph.node(id) {
-            of_symbols.insert(*symbol, adjoint);
-            continue;
+        let wanted: BTreeSet<SymbolId> = self.by.iter().copied().collect();
+        let depends = graph.depends_on(&wanted);
+        let order = graph.reachable(&[function]);
+        let mut adjoints = Adjoints::new();
+        let mut of_symbols: BTreeMap<SymbolId, ExprId> = BTreeMap::new();
+        adjoints.insert(function, vec![(graph.one(), whole(1))]);
+        for id in order.into_iter().rev() {
+            if !depends[id.index()] {
+                continue;
+            }
+            let Some(contributions) = adjoints.remove(&id) else {
+                continue;
+            };
+            let adjoint = graph.sum(contributions);
+            if let Node::Symbol(symbol) = graph.node(id) {
+                let symbol = *symbol;
+                // The contributions share the divisions that their way here has in common; a further derivative of them one
+                // by one would have differences that cancel.
+                of_symbols.insert(symbol, over_common_divisor(graph, adjoint));
+                continue;
+            }
+            if let Node::Apply(function, operands) = graph.node(id).clone()
+                && let Some((compared, alternatives)) = choice(function, &operands)
+            {
+                self.pass_choice(graph, adjoint, compared, alternatives, &mut adjoints);
+                continue;
+            }
+            for (operand, slope, coefficient) in slopes(graph, id, &depends) {
+                let share = graph.multiply(adjoint, slope);
+                adjoints
+                    .entry(operand)
+                    .or_default()
+                    .push((share, coefficient));
+            }
         }
-        for (operand, slope, coefficient) in slopes(graph, id, &depends) {
-            let share = graph.multiply(adjoint, slope);
-            adjoints
-                .entry(operand)
-                .or_default()
-                .push((share, coefficient));
+        let zero = graph.integer(0);
+        let partials: Vec<ExprId> = self
+            .by
+            .iter()
+            .map(|symbol| of_symbols.get(symbol).copied().unwrap_or(zero))
+            .collect();
+        self.known.insert(function, partials.clone());
+        partials
+    }
+
+    /// The derivative of a choice is a choice between the derivatives, all factors included: a choice between 1 and 0 as a
+    /// factor of them would be 0·∞ where the alternative that is not taken has an infinite derivative.
+    fn pass_choice(
+        &mut self,
+        graph: &mut Graph,
+        adjoint: ExprId,
+        [a, b]: [ExprId; 2],
+        alternatives: [ExprId; 2],
+        adjoints: &mut Adjoints,
+    ) {
+        let [first, second] = alternatives.map(|alternative| self.partials(graph, alternative));
+        for ((symbol, first), second) in self.by.iter().zip(first).zip(second) {
+            let [x, y] = [first, second].map(|partial| graph.multiply(adjoint, partial));
+            let share = if x == y {
+                x
+            } else {
+                graph.apply(Function::Select, vec![a, b, x, y])
+            };
+            let symbol = graph.symbol_expression(*symbol);
+            adjoints.entry(symbol).or_default().push((share, whole(1)));
         }
     }
-    let zero = graph.integer(0);
-    by.iter()
-        .map(|symbol| of_symbols.get(symbol).copied().unwrap_or(zero))
-        .collect()
+}
+
+/// What a choice compares, and its value where the first is not larger and where it is.
+fn choice(function: Function, operands: &[ExprId]) -> Option<([ExprId; 2], [ExprId; 2])> {
+    match (function, operands) {
+        (Function::Min, [a, b]) => Some(([*a, *b], [*a, *b])),
+        (Function::Max, [a, b]) => Some(([*a, *b], [*b, *a])),
+        (Function::Select, [a, b, x, y]) => Some(([*a, *b], [*x, *y])),
+        _ => None,
+    }
 }
 
 /// The second partials, by rows; the matrix is symmetric by construction.
@@ -85,9 +160,7 @@ fn slopes(graph: &mut Graph, id: ExprId, depends: &[bool]) -> Vec<(ExprId, ExprI
                 })
                 .collect()
         }
-        Node::Apply(function, operands) => {
-            slopes_of_function(graph, id, function, &operands, matters)
-        }
+        Node::Apply(function, operands) => slopes_of_function(graph, id, function, &operands),
         Node::Tabulated {
             table,
             order,
@@ -107,10 +180,8 @@ fn slopes_of_function(
     id: ExprId,
     function: Function,
     operands: &[ExprId],
-    matters: impl Fn(&ExprId) -> bool,
 ) -> Vec<(ExprId, ExprId, Rational)> {
     let one = graph.one();
-    let zero = graph.integer(0);
     let u = operands.first().copied().unwrap_or(one);
     let single = |slope: ExprId, coefficient: Rational| vec![(u, slope, coefficient)];
     match function {
@@ -140,31 +211,7 @@ fn slopes_of_function(
             let sign = graph.apply(Function::Sign, vec![u]);
             single(sign, whole(1))
         }
-        Function::Sign => Vec::new(),
-        Function::Min | Function::Max | Function::Select => {
-            let [a, b] = [operands[0], operands[1]];
-            // Select's two results are operands 2 and 3; the smaller and larger of two choose their own.
-            let (first, second) = match function {
-                Function::Min => (a, b),
-                Function::Max => (b, a),
-                _ => (operands[2], operands[3]),
-            };
-            let mut slopes = Vec::new();
-            if matters(&first) {
-                slopes.push((
-                    first,
-                    graph.apply(Function::Select, vec![a, b, one, zero]),
-                    whole(1),
-                ));
-            }
-            if matters(&second) {
-                slopes.push((
-                    second,
-                    graph.apply(Function::Select, vec![a, b, zero, one]),
-                    whole(1),
-                ));
-            }
-            slopes
-        }
+        // Choices are passed on as a whole.
+        Function::Sign | Function::Min | Function::Max | Function::Select => Vec::new(),
     }
 }

@@ -1,32 +1,37 @@
 //! The whole way of a module: parse, check, differentiate, rewrite, factor, emit.
 
+mod collisions;
 mod fallback;
+mod partial;
+mod stages;
+mod text;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use proc_macro2::TokenStream;
-use quote::{format_ident, quote};
-use syn::ItemMod;
+use proc_macro2::{Span, TokenStream};
+use quote::{ToTokens, format_ident, quote};
+use syn::spanned::Spanned;
+use syn::{Item, ItemMod};
 
 use crate::cost::Cost;
 use crate::diagnostics::Diagnostics;
 use crate::differentiate;
 use crate::emit::columns;
-use crate::emit::namer::{pack_table_function, table_function};
+use crate::emit::namer::table_function;
 use crate::emit::scalar::{self, Form};
-use crate::emit::staged;
 use crate::factor::circuit::Circuit;
 use crate::factor::{self, Outputs};
 use crate::graph::{ExprId, Graph, Node, SymbolId};
 use crate::latex::Symbols;
-use crate::parse::attributes::{Request, StageRequest, Target};
+use crate::parse::attributes::{Request, Target, root};
 use crate::parse::body::{Reader, identifier};
-use crate::parse::module::{Function, Module, ParameterKind};
+use crate::parse::module::{Function, Module};
+use crate::parse::numbers;
 use crate::parse::value::Value;
 use crate::rewrite;
-use crate::stage::{self, Staged};
 use crate::tables::Tables;
-use fallback::{column_stubs, integral_function, one_deeper, staged_stub, stub, stub_function};
+use fallback::{column_stubs, integral_function, one_deeper, stub};
+use text::{documentation, output_names};
 
 /// Expands a module of formulas: the module as written, with a module of generated forms beside each function that asks
 /// for some. What is wrong comes out as `compile_error!`s at their tokens, all at once, beside everything that is right
@@ -34,14 +39,28 @@ use fallback::{column_stubs, integral_function, one_deeper, staged_stub, stub, s
 ///
 /// `attribute` is what stands in the parentheses of `#[symbolic(…)]`: see [`Symbols`].
 pub fn expand(attribute: TokenStream, item: TokenStream) -> TokenStream {
-    match syn::parse2::<ItemMod>(item) {
-        Ok(item) => {
+    const MODULE: &str =
+        "the attribute stands at a module of functions: #[symbolic] mod name { … }";
+    let mut diagnostics = Diagnostics::default();
+    match syn::parse2::<Item>(item.clone()) {
+        Ok(Item::Mod(item)) => {
             let mut expansion = Expansion::unread(attribute, item);
             expansion.read_all();
             expansion.generate_all();
             expansion.into_tokens()
         }
-        Err(error) => error.to_compile_error(),
+        // Another item stays, so that what uses it is not reported too.
+        Ok(other) => {
+            let start = other.to_token_stream().into_iter().next();
+            let span = start.map_or_else(Span::call_site, |token| token.span());
+            diagnostics.error_with_hint(span, "formulas are functions of a module", MODULE);
+            let errors = diagnostics.to_tokens();
+            quote!(#other #errors)
+        }
+        Err(error) => {
+            diagnostics.syntax(&error, MODULE);
+            diagnostics.to_tokens()
+        }
     }
 }
 
@@ -95,6 +114,8 @@ pub struct Expansion {
     pub diagnostics: Diagnostics,
     /// The functions that were read; None for those that could not be.
     formulas: BTreeMap<String, Option<Formula>>,
+    /// The numbers that each function's source names, in the order of its parameters.
+    named: BTreeMap<String, Vec<SymbolId>>,
     /// `f::d_x` as called by formulas.
     partials: BTreeSet<(String, String)>,
     /// Per function the items of its module of generated forms.
@@ -123,6 +144,7 @@ impl Expansion {
             tables: Tables::default(),
             diagnostics,
             formulas: BTreeMap::new(),
+            named: BTreeMap::new(),
             partials: BTreeSet::new(),
             forms: BTreeMap::new(),
             uses_columns: false,
@@ -181,7 +203,7 @@ impl Expansion {
         let mut reader = Reader::new(&self.module, &mut self.tables);
         let value = reader.read(function);
         // Bodies of tabulated functions are read by the table; what they call is known only there.
-        let (graph, diagnostics) = (reader.graph, reader.diagnostics);
+        let (graph, diagnostics, named) = (reader.graph, reader.diagnostics, reader.named);
         self.partials.extend(reader.partials);
         self.uses_integral |= reader.integrals > 0 || function.approximation.is_some();
         self.diagnostics.append(diagnostics);
@@ -189,17 +211,11 @@ impl Expansion {
             .append(std::mem::take(&mut self.tables.diagnostics));
         let value = value?;
         let numbers: Vec<ExprId> = value.numbers().into_iter().map(|(_, id)| id).collect();
-        if holds_integral(&graph, &numbers) && function.request.is_some() {
-            self.diagnostics.error_with_hint(
-                function.item.sig.ident.span(),
-                format!(
-                    "`{}` holds an integral, which no code is generated for",
-                    function.name()
-                ),
-                "give the integral a function of its own with #[approximate(…)]",
-            );
-            return None;
+        if function.request.is_some() {
+            self.check_generable(function, &graph, &value, &numbers)?;
         }
+        self.named
+            .insert(function.name(), in_order(function, &graph, named));
         let (graph, roots) = rewrite::rewrite(&graph, &numbers);
         let value = value.with_numbers(&mut roots.iter().copied());
         Some(Formula {
@@ -207,6 +223,35 @@ impl Expansion {
             value,
             roots,
         })
+    }
+
+    /// Reports a result that no code can be generated for.
+    fn check_generable(
+        &mut self,
+        function: &Function,
+        graph: &Graph,
+        value: &Value,
+        numbers: &[ExprId],
+    ) -> Option<()> {
+        let name = function.name();
+        if holds_integral(graph, numbers) {
+            self.diagnostics.error_with_hint(
+                function.item.sig.ident.span(),
+                format!("`{name}` holds an integral, which no code is generated for"),
+                "give the integral a function of its own with #[approximate(…)]",
+            );
+            return None;
+        }
+        if let Some(parameter) = value.whole_parameter() {
+            let end = function.item.block.stmts.last().map(Spanned::span);
+            self.diagnostics.error_with_hint(
+                end.unwrap_or_else(|| function.item.sig.ident.span()),
+                format!("`{name}` gives its parameter `{parameter}` as a whole"),
+                format!("write the struct literal with its fields: `{parameter}.field`"),
+            );
+            return None;
+        }
+        Some(())
     }
 
     /// Generates every form that is asked for, and the partials that formulas call.
@@ -231,6 +276,23 @@ impl Expansion {
                 self.forms.insert(name, items);
             }
         }
+        self.report_collisions();
+        self.report_unread();
+    }
+
+    /// Nothing stands in for generated code without an error.
+    fn report_unread(&mut self) {
+        let unread = self.module.functions.iter().find(|function| {
+            let name = function.name();
+            self.forms.contains_key(&name) && self.formula(&name).is_none()
+        });
+        if let Some(function) = unread.filter(|_| self.diagnostics.is_empty()) {
+            self.diagnostics.error_with_hint(
+                function.item.sig.ident.span(),
+                format!("`{}` was not read", function.name()),
+                "formulas are read before code is generated from them",
+            );
+        }
     }
 
     fn requested(&mut self, function: &Function, request: &Request, items: &mut Vec<TokenStream>) {
@@ -240,6 +302,10 @@ impl Expansion {
         }
         if let Some(by) = &request.hessian {
             forms.push((true, Form::Hessian, by.as_slice()));
+        }
+        // All are made known first: the columns of every form are those of all forms.
+        for (_, _, by) in &forms {
+            self.symbols(function, by);
         }
         let mut richest = None;
         let mut column_forms = Vec::new();
@@ -331,52 +397,20 @@ impl Expansion {
         })
     }
 
-    /// The symbols to derive by; all that the function uses where the list is empty.
+    /// The symbols to derive by; all that the function's source names where the list is empty. None where one is no number
+    /// of the function, which is reported with the module.
     fn symbols(&mut self, function: &Function, by: &[Target]) -> Option<Vec<SymbolId>> {
-        let formula = self.formulas.get_mut(&function.name())?.as_mut()?;
+        let name = function.name();
         if by.is_empty() {
-            return Some(
-                formula
-                    .graph
-                    .symbols_of(&formula.roots)
-                    .into_iter()
-                    .collect(),
-            );
+            return self.named.get(&name).cloned();
         }
-        let mut symbols = Vec::new();
-        for target in by {
-            let root = target.symbol.split(['.', '[']).next().unwrap_or_default();
-            let parameter = function
-                .parameters
-                .iter()
-                .find(|parameter| parameter.name == root);
-            let fits = parameter.is_some_and(|parameter| match parameter.kind {
-                ParameterKind::Number => target.symbol == root,
-                ParameterKind::Array(length) => {
-                    (0..length).any(|position| target.symbol == format!("{root}[{position}]"))
-                }
-                ParameterKind::Struct => target.symbol != root,
-            });
-            if fits {
-                symbols.push(formula.graph.symbol_named(&target.symbol));
-                continue;
-            }
-            let used = formula.graph.symbols_of(&formula.roots);
-            let known: Vec<&str> = used
-                .iter()
-                .map(|symbol| formula.graph.symbol(*symbol).name.as_str())
-                .collect();
-            self.diagnostics.error_with_hint(
-                target.span,
-                format!(
-                    "`{}` is no number that `{}` takes",
-                    target.symbol,
-                    function.name()
-                ),
-                format!("it uses {}", known.join(", ")),
-            );
-        }
-        (symbols.len() == by.len()).then_some(symbols)
+        let formula = self.formulas.get_mut(&name)?.as_mut()?;
+        let by = by.iter().map(|target| {
+            let misfit = numbers::misfit(&self.module, function, &target.symbol);
+            let fits = misfit.is_none() && function.parameter(target.root()).is_some();
+            fits.then(|| formula.graph.symbol_named(&target.symbol))
+        });
+        by.collect()
     }
 
     fn column_items(&mut self, function: &Function, generated: &[Generated]) -> Vec<TokenStream> {
@@ -387,7 +421,7 @@ impl Expansion {
         let own = formula
             .graph
             .symbols()
-            .filter(|(_, symbol)| !symbol.name.contains('#'));
+            .filter(|(_, symbol)| is_own(&symbol.name));
         let symbols: Vec<SymbolId> = own.map(|(id, _)| id).collect();
         let mut items = vec![columns::inputs_type(&columns::names_of(
             &formula.graph,
@@ -428,115 +462,6 @@ impl Expansion {
         }
         self.uses_columns = true;
         items
-    }
-
-    /// The module of a staged form.
-    pub fn staged_item(&mut self, function: &Function, request: &StageRequest) -> TokenStream {
-        match self.staged(function, request) {
-            Some((staged, inner, outputs)) => {
-                self.use_tables(&staged.graph, &staged.fixed);
-                for circuit in [&staged.along, &staged.points] {
-                    self.use_tables_in_packs(&staged.graph, circuit);
-                }
-                staged::module(&staged, function, &inner, &outputs)
-            }
-            None => staged_stub(function, request),
-        }
-    }
-
-    /// A function in stages, its inner symbols, and the names of its results. None where it could not be read or a name is
-    /// unknown, which is reported.
-    pub fn staged(
-        &mut self,
-        function: &Function,
-        request: &StageRequest,
-    ) -> Option<(Staged, Vec<SymbolId>, Vec<String>)> {
-        let inner = self.symbols(function, &request.inner)?;
-        let formula = self.formula(&function.name())?;
-        let (graph, outputs) = derive(formula, Form::Value, &[]);
-        let names = output_names(&formula.value, &graph, &[]);
-        let set = inner.iter().copied().collect();
-        let circuit = stage::minimise(&graph, &outputs, &set);
-        Some((stage::split(&graph, &circuit, &set), inner, names))
-    }
-
-    /// The function `d_x` or `d_x_y`.
-    fn partial(&mut self, function: &Function, partial: &str) -> TokenStream {
-        let name = format_ident!("{partial}");
-        let parameters = scalar::parameters(function);
-        let written = format!(
-            " Partial `{partial}` of [`{0}`](super::{0}()).",
-            function.name()
-        );
-        let Some(formula) = self.formula(&function.name()) else {
-            return stub_function(function, &quote!(#name), &quote!(f64));
-        };
-        let mut graph = formula.graph.clone();
-        // Those with a `#` belong to a partial within the formula.
-        let own = graph
-            .symbols()
-            .filter(|(_, symbol)| !symbol.name.contains('#'));
-        let names: Vec<(String, SymbolId)> = own
-            .map(|(id, symbol)| (identifier(&symbol.name), id))
-            .collect();
-        let by = partial
-            .strip_prefix("d_")
-            .and_then(|suffix| crate::parse::body::partial_symbols(suffix, &names));
-        let (Some(by), [root]) = (by, formula.roots.as_slice()) else {
-            return stub_function(function, &quote!(#name), &quote!(f64));
-        };
-        let derivative = by.iter().fold(*root, |derivative, symbol| {
-            differentiate::gradient(&mut graph, derivative, &[*symbol])
-                .first()
-                .copied()
-                .unwrap_or(derivative)
-        });
-        let (graph, roots) = rewrite::rewrite(&graph, &[derivative]);
-        let circuit = factor::minimise(
-            &graph,
-            &Outputs {
-                values: roots,
-                ..Outputs::default()
-            },
-        );
-        self.use_tables(&graph, &circuit);
-        let symbol = |symbol: SymbolId| scalar::symbol_tokens(&graph, symbol);
-        let taken = function
-            .parameters
-            .iter()
-            .map(|parameter| parameter.name.to_string());
-        let body = crate::emit::expression::Writer::new(&graph, &circuit, &symbol, taken).body();
-        let (statements, outputs) = (body.statements, body.outputs);
-        let counts = format!(" Operations: {}.", circuit.cost());
-        quote! {
-            #[doc = #written]
-            #[doc = ""]
-            #[doc = #counts]
-            #[inline]
-            pub fn #name(#parameters) -> f64 {
-                #(#statements)*
-                #(#outputs)*
-            }
-        }
-    }
-
-    /// The tables of a circuit that runs in packs.
-    fn use_tables_in_packs(&mut self, graph: &Graph, circuit: &Circuit) {
-        self.use_tables(graph, circuit);
-        for net in circuit.nets() {
-            if let factor::circuit::Operation::Tabulated { table, order, .. } =
-                circuit.operation(net)
-                && let Some(known) = graph.tables.get(*table)
-            {
-                let name = table_function(graph, *table, *order);
-                let pack_name = pack_table_function(&name);
-                let idents = [&name, &pack_name].map(|name| format_ident!("{name}"));
-                let [name, of_pack] = &idents;
-                self.used_tables
-                    .entry(pack_name)
-                    .or_insert_with(|| known.derivative(*order).emit_for_packs(name, of_pack));
-            }
-        }
     }
 
     fn use_tables(&mut self, graph: &Graph, circuit: &Circuit) {
@@ -580,7 +505,15 @@ impl Expansion {
             .iter()
             .filter(|function| function.specialises.is_some())
         {
-            let item = &function.item;
+            let mut item = function.item.clone();
+            if self
+                .formulas
+                .get(&function.name())
+                .is_some_and(Option::is_none)
+            {
+                // Its replacements are reported; what they say is not compiled as well.
+                item.block = syn::parse_quote!({ loop {} });
+            }
             added.push(quote!(#item));
         }
         if self.uses_columns {
@@ -609,12 +542,39 @@ impl Expansion {
     }
 }
 
+/// The symbols, by the order of the function's parameters.
+fn in_order(function: &Function, graph: &Graph, named: BTreeSet<SymbolId>) -> Vec<SymbolId> {
+    let own = named
+        .into_iter()
+        .filter(|symbol| is_own(&graph.symbol(*symbol).name));
+    let mut own: Vec<SymbolId> = own.collect();
+    let names: Vec<String> = function
+        .parameters
+        .iter()
+        .map(|known| known.name.to_string())
+        .collect();
+    // Those of one parameter stay as they are.
+    own.sort_by_key(|symbol| {
+        let name = &graph.symbol(*symbol).name;
+        names.iter().position(|known| known == root(name))
+    });
+    own
+}
+
+/// Whether a symbol is a number of a parameter: those with a `#` belong to a partial within the formula, those with an
+/// `@` are variables of integration.
+fn is_own(symbol: &str) -> bool {
+    !symbol.contains(['#', '@'])
+}
+
 /// The module of a function's generated forms.
 pub fn forms_module(function: &Function, items: &[TokenStream]) -> TokenStream {
     let (visibility, name) = (&function.item.vis, &function.item.sig.ident);
     let doc = format!(" Generated forms of [`{name}`]({name}()).");
+    let conditions = function.conditions();
     let items = one_deeper(quote!(#(#items)*));
     quote! {
+        #(#conditions)*
         #[doc = #doc]
         #[allow(clippy::all, clippy::pedantic, unused)]
         #visibility mod #name {
@@ -670,53 +630,4 @@ pub fn derive(formula: &Formula, form: Form, by: &[SymbolId]) -> (Graph, Outputs
     let (graph, all) = rewrite::rewrite(&graph, &outputs.all());
     let outputs = outputs.with_all(&all);
     (graph, outputs)
-}
-
-/// What each result of a column form is called.
-fn output_names(value: &Value, graph: &Graph, by: &[SymbolId]) -> Vec<String> {
-    let label = |path: &str| match identifier(path.trim_start_matches('.')) {
-        name if name.is_empty() => "value".to_owned(),
-        name if name.starts_with(|c: char| c.is_ascii_digit() || c == '_') => {
-            format!("value_{}", name.trim_start_matches('_'))
-        }
-        name => name,
-    };
-    let values: Vec<String> = value
-        .numbers()
-        .iter()
-        .map(|(path, _)| label(path))
-        .collect();
-    let partials = values.iter().flat_map(|value| {
-        by.iter()
-            .map(move |symbol| format!("d_{value}_d_{}", identifier(&graph.symbol(*symbol).name)))
-    });
-    values.iter().cloned().chain(partials).collect()
-}
-
-fn documentation(
-    function: &Function,
-    graph: &Graph,
-    form: Form,
-    by: &[SymbolId],
-    cost: Cost,
-) -> Vec<String> {
-    let name = function.name();
-    let symbols: Vec<String> = by
-        .iter()
-        .map(|symbol| format!("`{}`", graph.symbol(*symbol).name))
-        .collect();
-    let what = match form {
-        Form::Value => format!(" Value of [`{name}`](super::{name}())."),
-        Form::Gradient => format!(
-            " Value of [`{name}`](super::{name}()) and its partials by {}.",
-            symbols.join(", ")
-        ),
-        Form::Hessian => {
-            format!(
-                " Value of [`{name}`](super::{name}()), its first and second partials by {}.",
-                symbols.join(", ")
-            )
-        }
-    };
-    vec![what, String::new(), format!(" Operations: {cost}.")]
 }

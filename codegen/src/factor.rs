@@ -7,6 +7,7 @@
 //! those that lose no digits ([`rounding`]).
 
 pub mod circuit;
+pub mod constants;
 pub mod extract;
 pub mod fingerprint;
 pub mod homogeneous;
@@ -60,6 +61,9 @@ impl Outputs {
     }
 }
 
+/// What a form that stays in the range of numbers far from 1 may cost beyond an eighth of the cheapest.
+const ONE_DIVISION: usize = 8;
+
 /// The circuit with the fewest operations that was found for these outputs, among those that round no worse than the
 /// formula as its author wrote it.
 pub fn minimise(graph: &Graph, outputs: &Outputs) -> Circuit {
@@ -80,9 +84,16 @@ pub fn minimise(graph: &Graph, outputs: &Outputs) -> Circuit {
             }));
         }
         circuits.sort_by_key(|circuit| circuit.cost().weight());
-        let mut sound = circuits.into_iter();
-        if let Some(circuit) = sound.find(|circuit| reference.admits(tables, circuit)) {
-            return circuit;
+        let mut sound = circuits
+            .into_iter()
+            .filter(|circuit| reference.admits(tables, circuit));
+        if let Some(cheapest) = sound.next() {
+            let most = cheapest.cost().weight() * 9 / 8 + ONE_DIVISION;
+            let affordable = sound.take_while(|circuit| circuit.cost().weight() <= most);
+            let far = std::iter::once(cheapest.clone())
+                .chain(affordable)
+                .find(|circuit| reference.admits_far(tables, circuit));
+            return far.unwrap_or(cheapest);
         }
     }
     lower::lower(graph, &all)
@@ -90,12 +101,16 @@ pub fn minimise(graph: &Graph, outputs: &Outputs) -> Circuit {
 
 /// The outputs in every form that may turn out to be cheapest, each once.
 fn lowered_forms(graph: Graph, roots: Vec<ExprId>, outputs: &Outputs) -> Vec<Circuit> {
-    let factored = rewrite::common::take_out(&graph, &roots);
-    let factored = rewrite::rewrite(&factored.0, &factored.1);
-    let joined = rewrite::roots::join(&factored.0, &factored.1);
-    let joined = rewrite::rewrite(&joined.0, &joined.1);
+    type Form = (Graph, Vec<ExprId>);
+    let again = |(graph, roots): Form| rewrite::rewrite(&graph, &roots);
+    let merged = again(rewrite::roots::without_quotients(&graph, &roots));
+    let factored = again(rewrite::common::take_out(&merged.0, &merged.1));
+    let joined = again(rewrite::roots::join(&factored.0, &factored.1));
+    let remerged = again(rewrite::roots::without_quotients(&joined.0, &joined.1));
+    let exponentials = rewrite::exponentials::forms(&joined.0, &joined.1);
     let mut forms: Vec<Circuit> = Vec::new();
-    for (mut graph, roots) in [(graph, roots), factored, joined] {
+    let ways = [(graph, roots), merged, factored, joined, remerged].into_iter();
+    for (mut graph, roots) in ways.chain(exponentials.into_iter().map(again)) {
         let rebuilt = homogeneous::rebuild_values(&mut graph, &outputs.with_all(&roots));
         for roots in [Some(roots), rebuilt].into_iter().flatten() {
             let form = lower::lower(&graph, &roots);

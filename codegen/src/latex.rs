@@ -7,6 +7,7 @@ mod expression;
 mod piece;
 mod symbols;
 
+use syn::visit::Visit;
 use syn::{Expr, Pat, Stmt, Type};
 
 use crate::parse::module::{Function, Module};
@@ -24,6 +25,85 @@ const LONGEST: usize = 70;
 /// # Errors
 /// The function holds what is not a part of a formula; the error is at its place.
 pub fn formula(module: &Module, symbols: &Symbols, function: &Function) -> syn::Result<String> {
+    Ok(match lines(module, symbols, function)?.as_slice() {
+        [line] if line.rows.len() == 1 => format!("{} = {}\n", line.left, line.rows.concat()),
+        lines => aligned(lines.iter().map(Line::text)),
+    })
+}
+
+/// The formula of a function as [`formula`] writes it, and below it the definitions of all formulas that it calls, and
+/// that those call, each once, in the order in which they are met.
+///
+/// # Errors
+/// As [`formula`], for each of them.
+pub fn in_full(module: &Module, symbols: &Symbols, function: &Function) -> syn::Result<String> {
+    let mut needed = called(module, function);
+    if needed.is_empty() {
+        return formula(module, symbols, function);
+    }
+    let mut rows: Vec<String> = lines(module, symbols, function)?
+        .iter()
+        .map(Line::text)
+        .collect();
+    rows.push("&\\text{where}".to_owned());
+    let mut next = 0;
+    while let Some(definition) = needed.get(next).cloned() {
+        rows.extend(lines(module, symbols, &definition)?.iter().map(Line::text));
+        for further in called(module, &definition) {
+            let known = needed.iter().chain([function]);
+            if known
+                .into_iter()
+                .all(|known| known.name() != further.name())
+            {
+                needed.push(further);
+            }
+        }
+        next += 1;
+    }
+    Ok(aligned(rows.into_iter()))
+}
+
+/// The formulas of the module that a formula calls, each once, in the order of their first calls.
+fn called(module: &Module, function: &Function) -> Vec<Function> {
+    let mut calls = Calls {
+        module,
+        found: Vec::new(),
+    };
+    calls.visit_block(&function.item.block);
+    calls.found
+}
+
+struct Calls<'a> {
+    module: &'a Module,
+    found: Vec<Function>,
+}
+
+impl<'ast> Visit<'ast> for Calls<'_> {
+    fn visit_expr_call(&mut self, call: &'ast syn::ExprCall) {
+        // The first segment also of a partial, `f::d_x(…)`.
+        let called = match call.func.as_ref() {
+            Expr::Path(path) => path.path.segments.first(),
+            _ => None,
+        }
+        .and_then(|name| self.module.function(&name.ident.to_string()));
+        if let Some(called) = called
+            && self.found.iter().all(|known| known.name() != called.name())
+        {
+            self.found.push(called.clone());
+        }
+        syn::visit::visit_expr_call(self, call);
+    }
+}
+
+fn aligned(rows: impl Iterator<Item = String>) -> String {
+    format!(
+        "\\begin{{aligned}}\n{}\n\\end{{aligned}}\n",
+        rows.collect::<Vec<_>>().join("\\\\\n")
+    )
+}
+
+/// The lines of a formula: its numbers, then its bindings. One that says nothing, `x = x`, is left out.
+fn lines(module: &Module, symbols: &Symbols, function: &Function) -> syn::Result<Vec<Line>> {
     let mut writer = Writer::new(Names::of(module, symbols, function));
     let Some((result, bindings)) = function.item.block.stmts.split_last() else {
         return Err(syn::Error::new(
@@ -47,17 +127,8 @@ pub fn formula(module: &Module, symbols: &Symbols, function: &Function) -> syn::
     };
     let mut lines = result_lines(&mut writer, function, result)?;
     lines.extend(writer.lines);
-    Ok(match lines.as_slice() {
-        [line] if line.rows.len() == 1 => format!("{} = {}\n", line.left, line.rows.concat()),
-        _ => format!(
-            "\\begin{{aligned}}\n{}\n\\end{{aligned}}\n",
-            lines
-                .iter()
-                .map(Line::text)
-                .collect::<Vec<_>>()
-                .join("\\\\\n")
-        ),
-    })
+    lines.retain(|line| line.rows.concat() != line.left);
+    Ok(lines)
 }
 
 /// `left = right`, the right side in rows.

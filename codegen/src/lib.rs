@@ -16,16 +16,25 @@
 //! | operators | `+ - * /` |
 //! | methods | `powi(n)`, `sqrt`, `sin`, `cos`, `tan`, `exp`, `ln`, `abs`, `recip`, `mul_add`, `min`, `max` |
 //! | access | `c.field`, `a[0]`, `pair.0` |
+//! | structs | `Name { field: x }`, `Name { field: x, ..*c }` |
 //! | calls | of other formulas of the module; `f::d_x(…)`, `f::d_x_y(…)` of their partials |
 //! | integrals | `integral(\|t\| …, a..b)`, in functions that are tabulated |
 //!
 //! There are no branches, loops or assignments: a case is a formula of its own, and its caller chooses. Whatever else is
-//! found is reported at its token with what to write instead, all at once.
+//! found is reported at its token with what to write instead, all at once: also functions and constants that need
+//! themselves, results of another type than the signature says, fields that a struct of the module does not have, and names
+//! that both the author and the generator give.
 //!
 //! Attributes of a function say what is wanted: `#[generate(value, gradient(x, c.y), hessian(x, c.y), columns, stage(c.y),
 //! budget(operations = 96))]`, `#[domain(x > 0.0)]`, `#[specialise(name, x = y, generate(…))]`,
 //! `#[approximate(x = 0.0..=1.0, factor = x.powi(2), tolerance = 1e-13)]`; see [`parse::attributes`]. The module's own
 //! attribute may hold a table of symbols for [`latex`].
+//!
+//! What is derived by, has a domain or is replaced is a number `x`, a field `c.y` or an element `a[0]`; whole parameters may
+//! be replaced, too. Without a list, partials are by every number that the function's source names, also through the
+//! formulas that it calls, in the order of its parameters; one that cancels stays among them. A budget holds for the richest
+//! form asked for, the last of value, gradient and Hessian; partials that other formulas call are not in it. A partial's
+//! name must have one meaning: beside parameters `x`, `y` and `x_y` there is no `d_x_y`.
 //!
 //! # What comes out
 //!
@@ -33,7 +42,8 @@
 //! `f` with the generated functions `value`, `gradient`, `hessian`, `columns`, `gradient_columns` and partials `d_x`, each
 //! documented with its count of operations. `stage(c.y)` gives a module `along_y`: a function `fixed` of what does not
 //! depend on `c.y`, and the bodies `Along` and `Points` of two loops, for tables over the values of `c.y` and for the
-//! points. Columns and stages run on the crate `lanes`, which the crate of the formulas depends on.
+//! points. Columns and stages run on the crate `lanes`, which the crate of the formulas depends on. What is made from a
+//! function under `#[cfg(…)]` is under it, too.
 //!
 //! ```
 //! use codegen::show;
@@ -75,6 +85,24 @@
 //! Then it is a [`Circuit`](factor::circuit::Circuit), in which every operation that will be done is visible and is
 //! counted: operands come before their users, sums and products are taken apart as they will be computed, a division is an
 //! operation of its own. What is counted is what is emitted.
+//!
+//! # Limits
+//!
+//! What a generated form does at the edges of a formula:
+//!
+//! - **Constants.** Functions of constants are computed when the crate is built, to more digits than a literal has. The
+//!   root or logarithm of a negative constant is left in the code and is NaN there, as it is in the function as written.
+//! - **Corners.** The derivative of a size is its `signum`, 1 at `0.0`; that of the smaller and larger of two is that of the
+//!   one that is taken, of the first of two equals for `min` and of the second for `max`.
+//! - **Roots of 0.** A derivative is finite where every part of it is: that of $\sqrt{x^3}$ is, because it is written
+//!   $\tfrac32\sqrt x$. That of $\sqrt{x^4 + y^4}$ at the origin is 0 but comes out as $0\cdot\infty$, NaN; so does the one of
+//!   $\sqrt{x^2 + y^2}$, which has none there.
+//! - **Second derivatives.** Fractions whose difference cancels are joined where a part of a sum, or a rational multiple
+//!   of a term of it, is left: those of $\sqrt{x^2 + x + 1}$ keep all digits for all $x$. Where more is left nothing is
+//!   multiplied out, and the digits are lost: the second derivative of $\sqrt{x^2 + 1/x}$ is off by $5\cdot10^{-9}$ of itself at
+//!   $x = 10^3$, by $3\cdot10^{-5}$ at $10^4$, and by half of itself at $10^6$.
+//! - **Range.** Forms are compared at numbers up to $10^{\pm170}$. One that stays finite there, where the formula does, is
+//!   taken if it costs no more than an eighth and a division beyond the cheapest.
 //!
 //! # Modules, in the order in which a formula passes
 //!

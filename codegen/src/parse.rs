@@ -6,7 +6,11 @@
 
 pub mod attributes;
 pub mod body;
+mod cycles;
 pub mod imports;
 pub mod literal;
 pub mod module;
+pub(crate) mod numbers;
+mod signature;
+mod specialise;
 pub mod value;

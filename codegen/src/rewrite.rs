@@ -4,8 +4,11 @@
 //! only where x ≥ 0 is known. At the end [`roots`] makes one root of those that differ by a square.
 
 pub mod common;
+pub mod exponentials;
+mod fractions;
 pub mod roots;
 pub mod rules;
+mod signs;
 
 use crate::graph::{ExprId, Function, Graph};
 

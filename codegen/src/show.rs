@@ -133,6 +133,16 @@ pub fn latex(expansion: &Expansion, name: &str) -> Result<String, ShowError> {
         .map_err(|error| ShowError::Mistakes(error.to_string()))
 }
 
+/// As [`latex()`], with the definitions of all formulas that it calls; see [`in_full`](mod@latex).
+///
+/// # Errors
+/// There is no such formula, or one of them has mistakes.
+pub fn latex_in_full(expansion: &Expansion, name: &str) -> Result<String, ShowError> {
+    let function = function(expansion, name)?;
+    latex::in_full(expansion.module(), expansion.latex_symbols(), &function)
+        .map_err(|error| ShowError::Mistakes(error.to_string()))
+}
+
 /// The operations of a formula's value as a graph in Graphviz' language; see [`dot::dot`].
 ///
 /// # Errors

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::approximate::piecewise;
+use crate::approximate::piecewise::{self, FitError};
 use crate::diagnostics::Diagnostics;
 use crate::graph::{Sign, Table};
 use crate::interpret::{EvaluateError, Integrator, describe};
@@ -107,11 +107,36 @@ impl Tables {
             Err(error) => {
                 self.diagnostics.error_with_hint(
                     approximation.span,
-                    format!("`{}` can't be approximated: {}", function.name(), describe(&error)),
-                    "a larger tolerance, a factor that takes out a root or pole at the ends, or a smaller interval may help",
+                    format!(
+                        "`{}` can't be approximated: {}",
+                        function.name(),
+                        describe(&error)
+                    ),
+                    hint(&error),
                 );
                 None
             }
+        }
+    }
+}
+
+/// What may help where a function can't be approximated.
+fn hint(error: &FitError<EvaluateError>) -> &'static str {
+    match error {
+        FitError::NotMet { .. } | FitError::DerivativeNotMet { .. } => {
+            "a larger tolerance, a factor that takes out a root or pole at the ends, or a smaller interval may help"
+        }
+        FitError::NotFinite { .. } => {
+            "choose an interval in which the function and its factor are finite and not zero, but for the ends"
+        }
+        FitError::Function { .. } => {
+            "its integrals need finite bounds and an integrand that is finite between them, for all of the interval"
+        }
+        FitError::Zero { .. } => {
+            "take it out with factor = …, or choose an interval on one side of it"
+        }
+        FitError::Interval { .. } | FitError::Tolerance { .. } => {
+            "the interval is of two finite numbers, the tolerance above zero"
         }
     }
 }

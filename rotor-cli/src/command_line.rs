@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand};
 
 const EXIT_CODES: &str = "Exit codes: 0 done; 1 it ran, and a check failed; 2 the input cannot be used, or a \
-file could not be read or written.";
+file could not be read or written; 130 and 143 interrupted.";
 
 /// The folder that a report goes to unless told otherwise.
 const DEFAULT_FOLDER: &str = "rotor-report";
@@ -15,15 +15,10 @@ const DEFAULT_FOLDER: &str = "rotor-report";
 /// Where a Jeffcott rotor becomes unstable, how wide its simple and combination instability regions are, and
 /// which crack closes them. With no command, it reports on the paper's rotor.
 #[derive(Debug, Parser)]
-#[command(
-    name = "rotor",
-    version,
-    max_term_width = 100,
-    disable_help_subcommand = true
-)]
+#[command(name = "rotor", version, max_term_width = 100)]
 #[command(after_help = "Examples:\n  \
   $ rotor\n  \
-  $ rotor init -o my-rotor.toml && rotor report my-rotor.toml -o my-report\n\n\
+  $ rotor init -f -o my-rotor.toml && rotor report my-rotor.toml -o my-report\n\n\
 Run `rotor COMMAND --help` for a command and its examples.\n\
 Exit codes: 0 done; 1 it ran, and a check failed; 2 the input cannot be used.")]
 pub(crate) struct CommandLine {
@@ -46,13 +41,14 @@ pub(crate) enum Command {
 ///
 /// Prints the tables and writes them, with Figures 3 to 9 of the paper drawn for this rotor and a map of the
 /// widths, to a folder: report.html (self-contained), and each figure as SVG, PNG and CSV. The widths are given
-/// three times: by the paper's approximation, exactly, and by Hill's method. The files appear once all are made.
+/// three times: by the paper's approximation, exactly, and by Hill's method. The files appear once all are made; an
+/// interrupted run leaves none. Where they cannot be written, the tables are printed all the same.
 #[derive(Args, Debug)]
 #[command(after_help = format!("Examples:\n  \
   $ rotor report\n  \
-  $ rotor init -o my-rotor.toml && rotor report my-rotor.toml -o my-report\n\n\
-The check that can fail (exit code 1): a width by Hill's method and the exact one differ by more than 1e-6 of it,\n\
-in a narrow region by more than rounding may move it.\n\
+  $ rotor init -f -o my-rotor.toml && rotor report my-rotor.toml -o my-report\n\n\
+The check that can fail (exit code 1): a width by Hill's method and the exact one differ by more than 1e-6 of \
+it, in a narrow region by more than rounding may move it.\n\
 {EXIT_CODES}"))]
 pub(crate) struct ReportArguments {
     /// The rotor, a TOML file as `rotor init` writes it; `-` is standard input. Without it, the paper's rotor
@@ -85,6 +81,9 @@ impl ReportArguments {
 /// `error`; that is an answer, not a mistake.
 /// A row that is no rotor stops the run, and no file is written. An empty cell in an input's column is such a
 /// mistake: the base rotor stands in for whole columns only.
+///
+/// Lines may end with LF, CRLF or CR; the results' lines end with LF. Blank lines are left out, and quotes are written
+/// only where a cell needs them; what the cells say stays as it is.
 #[derive(Args, Debug)]
 #[command(after_help = format!("Examples:\n  \
   $ printf 'crack.depth_ratio\\n0.1\\n0.2\\n' | rotor evaluate - --quantities sir_width,cir_width\n  \
@@ -113,7 +112,8 @@ pub(crate) struct EvaluateArguments {
     #[arg(short, long, value_name = "FILE.toml")]
     pub(crate) base: Option<PathBuf>,
 
-    /// Keep rows that are no rotor: their results stay empty, `error` says why
+    /// Keep rows that are no rotor: their results stay empty, `error` says why, and names fields beyond the header.
+    /// If no row at all is a rotor, the exit code is 1
     #[arg(short, long)]
     pub(crate) keep_going: bool,
 }
@@ -125,7 +125,7 @@ pub(crate) struct EvaluateArguments {
 #[derive(Args, Debug)]
 #[command(after_help = format!("Examples:\n  \
   $ rotor zup\n  \
-  $ rotor init -o my-rotor.toml && rotor zup my-rotor.toml\n\n{EXIT_CODES}"))]
+  $ rotor init -o - | rotor zup -\n\n{EXIT_CODES}"))]
 pub(crate) struct ZupArguments {
     /// The rotor, a TOML file as `rotor init` writes it; `-` is standard input. Without it, the paper's rotor
     #[arg(value_name = "FILE.toml")]
@@ -135,7 +135,7 @@ pub(crate) struct ZupArguments {
 /// Write a rotor file to start from: the paper's rotor, commented
 #[derive(Args, Debug)]
 #[command(after_help = format!("Examples:\n  \
-  $ rotor init\n  \
+  $ rotor init --force\n  \
   $ rotor init -o - | rotor zup -\n\n{EXIT_CODES}"))]
 pub(crate) struct InitArguments {
     /// The file to write; `-` is standard output
@@ -170,14 +170,14 @@ pub(crate) struct ShowArguments {
 #[group(multiple = false)]
 pub(crate) struct FormArguments {
     /// As the generated Rust (this is the default)
-    #[arg(long)]
+    #[arg(long, requires = "name")]
     pub(crate) rust: bool,
 
-    /// As LaTeX
-    #[arg(long)]
+    /// As LaTeX for a display, with the definitions of all equations that it calls
+    #[arg(long, requires = "name")]
     pub(crate) latex: bool,
 
     /// As a graph, in Graphviz' language
-    #[arg(long)]
+    #[arg(long, requires = "name")]
     pub(crate) graph: bool,
 }

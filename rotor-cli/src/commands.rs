@@ -1,5 +1,6 @@
 //! From the command line to the command, and from its outcome to the exit code.
 
+use std::io::{self, Write as _};
 use std::process::ExitCode;
 
 use clap::Parser;
@@ -7,13 +8,24 @@ use clap::Parser;
 use crate::command_line::{Command, CommandLine, FormArguments, ReportArguments, ShowArguments};
 use crate::failure::{Failure, Message, Outcome};
 use crate::show::Form;
-use crate::{evaluate, init, output, report, show, zup};
+use crate::{evaluate, init, interrupt, output, report, show, zup};
 
 /// Runs the command that the command line asks for.
 pub(crate) fn run() -> ExitCode {
-    // A wrong command line ends here, with exit code 2.
-    let command = CommandLine::parse().command;
-    match dispatch(command) {
+    let outcome = match CommandLine::try_parse() {
+        Ok(line) => dispatch(line.command),
+        // A wrong command line tells its mistake on stderr; help and version are results like others.
+        Err(told) if told.use_stderr() => {
+            let _ = told.print();
+            return ExitCode::from(2);
+        }
+        Err(told) => told
+            .print()
+            .and_then(|()| io::stdout().flush())
+            .map(|()| Outcome::Passed)
+            .map_err(|source| Failure::stream("write", "standard output", source)),
+    };
+    match outcome {
         Ok(Outcome::Passed) => ExitCode::SUCCESS,
         Ok(Outcome::CheckFailed) => ExitCode::from(1),
         Err(failure) => {
@@ -28,6 +40,10 @@ pub(crate) fn run() -> ExitCode {
 }
 
 fn dispatch(command: Option<Command>) -> Result<Outcome, Failure> {
+    // Only these write files beside their places.
+    if let None | Some(Command::Report(_) | Command::Evaluate(_) | Command::Init(_)) = command {
+        interrupt::watch();
+    }
     match command {
         None => report::run(&ReportArguments::on_the_papers_rotor()),
         Some(Command::Report(arguments)) => report::run(&arguments),
@@ -39,8 +55,7 @@ fn dispatch(command: Option<Command>) -> Result<Outcome, Failure> {
 }
 
 fn show_equation(arguments: &ShowArguments) -> Result<Outcome, Failure> {
-    let shown = show::run(arguments.name.as_deref(), Form::from(&arguments.form))
-        .map_err(|error| Failure::input(error.to_string()))?;
+    let shown = show::run(arguments.name.as_deref(), Form::from(&arguments.form))?;
     output::print(&shown)?;
     Ok(Outcome::Passed)
 }

@@ -9,15 +9,18 @@ use std::path::Path;
 
 use csv::ByteRecord;
 use rayon::prelude::*;
-use rotor_core::quantity::{self, Quantity};
+use rotor_core::quantity::{self, Quantity, Reason};
 use rotor_core::rotor::{Rotor, RotorParameters};
 
 use crate::command_line::EvaluateArguments;
+use crate::doubts::doubts;
 use crate::failure::{Failure, Outcome};
 use crate::output::{self, Destination};
+use crate::reasons;
 use crate::rotor_file;
+use crate::shown::brief;
 use columns::{Columns, ERROR};
-use table::{Row, Rows};
+use table::{OPEN_QUOTE, Row, Rows, TableError};
 
 /// Rows that are read before they are evaluated together, on all cores.
 const BATCH: usize = 4096;
@@ -44,7 +47,6 @@ pub(crate) fn run(arguments: &EvaluateArguments) -> Result<Outcome, Failure> {
             "the table and the base rotor cannot both be standard input",
         ));
     }
-    let base = rotor_file::load(arguments.base.as_deref())?;
     let name = name_of(&arguments.table);
     let mut rows = Rows::new(open(&arguments.table)?);
     let header = rows
@@ -61,11 +63,12 @@ pub(crate) fn run(arguments: &EvaluateArguments) -> Result<Outcome, Failure> {
     for remark in columns.remarks() {
         output::remark(&format!("warning: {name}: {remark}"));
     }
+    let base = rotor_file::load_base(arguments.base.as_deref(), &columns.input_names())?;
     let mut evaluation = Evaluation {
         name,
         columns,
         quantities,
-        base: *base.rotor.parameters(),
+        base,
         keep_going: arguments.keep_going,
         failed: 0,
         doubtful: None,
@@ -75,16 +78,17 @@ pub(crate) fn run(arguments: &EvaluateArguments) -> Result<Outcome, Failure> {
     titles.extend(headings);
     write(&mut writer, &titles)?;
     let count = evaluation.all(&mut rows, &mut writer)?;
-    let destination = writer.into_inner().map_err(|error| {
-        Failure::stream(
-            "write",
-            "the results",
-            io::Error::from(error.error().kind()),
-        )
-    })?;
+    let name = writer.get_ref().name();
+    let destination = writer
+        .into_inner()
+        .map_err(|error| Failure::stream("write", name, io::Error::from(error.error().kind())))?;
     destination.finish()?;
     evaluation.remark_on_rows(count);
-    Ok(Outcome::Passed)
+    Ok(if count > 0 && evaluation.failed == count {
+        Outcome::CheckFailed
+    } else {
+        Outcome::Passed
+    })
 }
 
 /// The results asked for, each once, in the order asked for.
@@ -97,12 +101,16 @@ fn quantities(names: &[String]) -> Result<Vec<Quantity>, Failure> {
                     "--quantities: a name is empty; give names of results with commas between, or `all`",
                 ));
             }
-            "all" => Quantity::ALL.to_vec(),
-            name => vec![name.parse::<Quantity>().map_err(|error| {
-                Failure::input(format!(
-                    "--quantities: {error}; `rotor evaluate --help` lists all"
-                ))
-            })?],
+            name if name.eq_ignore_ascii_case("all") => Quantity::ALL.to_vec(),
+            name => vec![
+                name.to_ascii_lowercase()
+                    .parse::<Quantity>()
+                    .map_err(|error| {
+                        Failure::input(format!(
+                            "--quantities: {error}; `rotor evaluate --help` lists all"
+                        ))
+                    })?,
+            ],
         };
         for quantity in asked {
             if !quantities.contains(&quantity) {
@@ -117,7 +125,7 @@ fn name_of(path: &Path) -> String {
     if path.as_os_str() == "-" {
         "standard input".to_owned()
     } else {
-        path.display().to_string()
+        brief(&path.display().to_string())
     }
 }
 
@@ -136,12 +144,21 @@ fn open(path: &Path) -> Result<Box<dyn BufRead>, Failure> {
 }
 
 fn write(writer: &mut csv::Writer<Destination>, record: &ByteRecord) -> Result<(), Failure> {
-    writer
-        .write_byte_record(record)
-        .map_err(|error| match error.into_kind() {
-            csv::ErrorKind::Io(source) => Failure::stream("write", "the results", source),
-            other => Failure::input(format!("cannot write the results: {other:?}")),
-        })
+    let written = writer.write_byte_record(record);
+    written.map_err(|error| match error.into_kind() {
+        csv::ErrorKind::Io(source) => Failure::stream("write", writer.get_ref().name(), source),
+        other => Failure::input(format!("cannot write the results: {other:?}")),
+    })
+}
+
+/// A result, or why there is none. A zero of a region may be all that is left of a number too small for double precision.
+fn checked(rotor: &Rotor, quantity: Quantity, result: Result<f64, Reason>) -> Result<f64, String> {
+    let value = result.map_err(|reason| reasons::of_quantity(&reason))?;
+    let underflow = reasons::region_of(quantity)
+        .filter(|_| value == 0.0)
+        .and_then(|kind| Some((kind, rotor.coefficients().ok()?)))
+        .and_then(|(kind, c)| reasons::out_of_range(kind, &c));
+    underflow.map_or(Ok(value), Err)
 }
 
 /// A table on its way.
@@ -161,6 +178,13 @@ struct Doubtful {
     rows: u64,
     /// The line of the first, and what is said of it.
     first: (u64, String),
+}
+
+/// A row as it was read.
+struct Read {
+    row: Row,
+    /// Why its fields are not to be trusted.
+    broken: Option<&'static str>,
 }
 
 /// What comes of a row that is a rotor.
@@ -186,7 +210,7 @@ impl Evaluation {
                 return Ok(count);
             }
             let results: Vec<_> = batch.par_iter().map(|row| self.row(row)).collect();
-            for (row, result) in batch.iter().zip(results) {
+            for (Read { row, .. }, result) in batch.iter().zip(results) {
                 count += 1;
                 let (cells, error) = match result {
                     Ok(result) => {
@@ -213,15 +237,19 @@ impl Evaluation {
         }
     }
 
-    fn batch(&self, rows: &mut Rows<Box<dyn BufRead>>) -> Result<Vec<Row>, Failure> {
+    fn batch(&self, rows: &mut Rows<Box<dyn BufRead>>) -> Result<Vec<Read>, Failure> {
         let mut batch = Vec::new();
         while batch.len() < BATCH {
-            match rows
-                .next_row()
-                .map_err(|error| Failure::input(format!("{}: {error}", self.name)))?
-            {
-                Some(row) => batch.push(row),
-                None => break,
+            match rows.next_row() {
+                Ok(Some(row)) => batch.push(Read { row, broken: None }),
+                Ok(None) => break,
+                Err(TableError::OpenQuote { first_line: row }) if self.keep_going => {
+                    batch.push(Read {
+                        row,
+                        broken: Some(OPEN_QUOTE),
+                    });
+                }
+                Err(error) => return Err(Failure::input(format!("{}: {error}", self.name))),
             }
         }
         Ok(batch)
@@ -242,28 +270,35 @@ impl Evaluation {
     }
 
     /// The results of a row, or why it is no rotor.
-    fn row(&self, row: &Row) -> Result<Evaluated, String> {
+    fn row(&self, Read { row, broken }: &Read) -> Result<Evaluated, String> {
+        if let Some(why) = broken {
+            return Err((*why).to_owned());
+        }
         let parameters = self.columns.parameters(row, &self.base)?;
         let rotor = Rotor::new(parameters).map_err(|error| error.to_string())?;
         let mut reasons: Vec<String> = Vec::new();
-        let cells = quantity::evaluate(&self.quantities, &rotor)
-            .into_iter()
-            .map(|result| match result {
-                // The shortest digits that read back as the same number; a zero has no sign.
-                Ok(value) => format!("{:?}", value + 0.0),
-                Err(reason) => {
-                    let reason = reason.to_string();
-                    if !reasons.contains(&reason) {
-                        reasons.push(reason);
+        let results = quantity::evaluate(&self.quantities, &rotor);
+        let cells = self
+            .quantities
+            .iter()
+            .zip(results)
+            .map(
+                |(&quantity, result)| match checked(&rotor, quantity, result) {
+                    // The shortest digits that read back as the same number; a zero has no sign.
+                    Ok(value) => format!("{:?}", value + 0.0),
+                    Err(reason) => {
+                        if !reasons.contains(&reason) {
+                            reasons.push(reason);
+                        }
+                        String::new()
                     }
-                    String::new()
-                }
-            })
+                },
+            )
             .collect();
         Ok(Evaluated {
             cells,
             error: reasons.join("; "),
-            warning: rotor.warnings().first().map(ToString::to_string),
+            warning: doubts(&rotor).into_iter().next(),
         })
     }
 

@@ -295,8 +295,8 @@ impl Figure {
         picture::rasterise(self, &svg)
     }
 
-    /// What the figure shows, as CSV in long form: one line a point, with `panel`, `curve` and the values under the
-    /// labels of the axes, units included. Numbers read back exactly; a gap is an empty cell.
+    /// What the figure shows, as CSV in long form: one line a point, with `panel`, `curve` and a column for the label of
+    /// each axis, units included. Numbers read back exactly; a gap is an empty cell.
     ///
     /// # Errors
     /// As [`Figure::svg`], and when the table cannot be written.

@@ -4,14 +4,19 @@ use std::process::ExitCode;
 
 mod command_line;
 mod commands;
+mod doubts;
 mod evaluate;
 mod failure;
 mod figure;
 mod init;
+mod interrupt;
+mod nearest;
 mod output;
+mod reasons;
 mod report;
 mod rotor_file;
 mod show;
+mod shown;
 mod table;
 mod zup;
 

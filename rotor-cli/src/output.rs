@@ -7,6 +7,8 @@ use std::path::{Path, PathBuf};
 use tempfile::{NamedTempFile, SpooledTempFile, TempDir};
 
 use crate::failure::Failure;
+use crate::interrupt::{self, Unfinished};
+use crate::shown::escaped;
 use crate::table::wrapped;
 
 /// Writes a text to standard output.
@@ -24,7 +26,7 @@ pub(crate) fn print(text: &str) -> Result<(), Failure> {
 
 /// Writes a remark to standard error, in lines that are not too wide. A closed stderr is no reason to stop.
 pub(crate) fn remark(text: &str) {
-    drawing(wrapped(text, "").trim_end());
+    drawing(wrapped(&escaped(text), "").trim_end());
 }
 
 /// Writes to standard error what has its lines already.
@@ -54,7 +56,10 @@ pub(crate) enum Destination {
     /// Written beside the target.
     Staged {
         file: BufWriter<NamedTempFile>,
+        unfinished: Unfinished,
         target: PathBuf,
+        /// As the user calls it.
+        named: PathBuf,
     },
 }
 
@@ -101,8 +106,10 @@ impl Destination {
             .tempfile_in(folder_of(&target))
             .map_err(|source| Failure::file("write", path, without_path(&source)))?;
         Ok(Self::Staged {
+            unfinished: Unfinished::new(file.path()),
             file: BufWriter::new(file),
             target,
+            named: path.to_owned(),
         })
     }
 
@@ -130,13 +137,21 @@ impl Destination {
                 .and_then(|()| io::copy(&mut kept, &mut stream))
                 .and_then(|_| stream.flush())
                 .map_err(|source| Failure::stream("write", name, source)),
-            Self::Staged { file, target } => {
+            Self::Staged {
+                file,
+                unfinished,
+                target,
+                named,
+            } => {
                 let file = file
                     .into_inner()
-                    .map_err(|error| Failure::file("write", &target, error.into_error()))?;
-                file.persist(&target)
+                    .map_err(|error| Failure::file("write", &named, error.into_error()))?;
+                let _moving = interrupt::while_moving();
+                let persisted = file.persist(&target);
+                drop(unfinished);
+                persisted
                     .map(drop)
-                    .map_err(|error| Failure::file("write", &target, error.error))
+                    .map_err(|error| Failure::file("write", &named, error.error))
             }
         }
     }
@@ -145,7 +160,7 @@ impl Destination {
     pub(crate) fn name(&self) -> String {
         match self {
             Self::Stream { name, .. } => name.clone(),
-            Self::Staged { target, .. } => format!("`{}`", target.display()),
+            Self::Staged { named, .. } => format!("`{}`", named.display()),
         }
     }
 }
@@ -169,6 +184,7 @@ impl Write for Destination {
 /// A set of files of one folder, written beside it and moved in together once all of them are made.
 pub(crate) struct StagedFolder {
     staging: TempDir,
+    unfinished: Unfinished,
     target: PathBuf,
     names: Vec<String>,
 }
@@ -195,6 +211,7 @@ impl StagedFolder {
             .tempdir_in(&parent)
             .map_err(|source| Failure::file("write", target, without_path(&source)))?;
         Ok(Self {
+            unfinished: Unfinished::new(staging.path()),
             staging,
             target: target.to_owned(),
             names: Vec::new(),
@@ -214,31 +231,81 @@ impl StagedFolder {
         Ok(())
     }
 
-    /// Makes the files appear: a new folder all at once, an existing one file by file, other files left alone.
+    /// Makes the files appear: a new folder all at once; in an existing one all files or none, others left alone.
     ///
     /// # Errors
     ///
-    /// Where a file cannot be moved.
+    /// Where a file cannot be moved; the folder is then as it was.
     pub(crate) fn finish(self) -> Result<(), Failure> {
         let Self {
             staging,
+            unfinished,
             target,
             names,
         } = self;
+        let moving = interrupt::while_moving();
         if !target.exists() {
             // The folder has another name from here on, so that nothing is left for the guard to remove.
             let staged = staging.keep();
-            return fs::rename(&staged, &target).map_err(|source| {
+            let renamed = fs::rename(&staged, &target);
+            drop(unfinished);
+            return renamed.map_err(|source| {
                 let _ = fs::remove_dir_all(&staged);
                 Failure::file("create", &target, source)
             });
         }
-        for name in &names {
-            let place = target.join(name);
-            fs::rename(staging.path().join(name), &place)
-                .map_err(|source| Failure::file("write", &place, source))?;
+        let swap = Swap {
+            new: staging.path().to_owned(),
+            old: staging.path().join("replaced"),
+            target,
+        };
+        fs::create_dir(&swap.old).map_err(|source| Failure::file("write", &swap.target, source))?;
+        for (index, name) in names.iter().enumerate() {
+            if let Err(source) = swap.replace(name) {
+                names
+                    .iter()
+                    .take(index)
+                    .rev()
+                    .for_each(|name| swap.undo(name));
+                return Err(Failure::file("write", &swap.target.join(name), source));
+            }
         }
+        drop(moving);
         Ok(())
+    }
+}
+
+/// Files on their way into a folder, and those of the same names on their way out.
+struct Swap {
+    new: PathBuf,
+    old: PathBuf,
+    target: PathBuf,
+}
+
+impl Swap {
+    /// Moves a new file to its place, what stood there aside.
+    fn replace(&self, name: &str) -> io::Result<()> {
+        let place = self.target.join(name);
+        match fs::symlink_metadata(&place) {
+            Ok(found) if found.is_dir() => return Err(io::Error::other("it is a folder")),
+            Ok(_) => fs::rename(&place, self.old.join(name))?,
+            Err(_) => {}
+        }
+        fs::rename(self.new.join(name), &place).inspect_err(|_| self.put_back(name))
+    }
+
+    /// Takes a new file away again.
+    fn undo(&self, name: &str) {
+        // What stood there before replaces it in one step; without that it is removed.
+        if self.old.join(name).symlink_metadata().is_ok() {
+            self.put_back(name);
+        } else {
+            let _ = fs::remove_file(self.target.join(name));
+        }
+    }
+
+    fn put_back(&self, name: &str) {
+        let _ = fs::rename(self.old.join(name), self.target.join(name));
     }
 }
 

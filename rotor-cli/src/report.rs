@@ -9,6 +9,7 @@ mod tables;
 use rayon::prelude::*;
 
 use crate::command_line::ReportArguments;
+use crate::doubts::doubts;
 use crate::failure::{Failure, Outcome};
 use crate::figure::{Figure, FigureError};
 use crate::output::{self, StagedFolder};
@@ -18,28 +19,50 @@ use crate::zup;
 use analysis::Analysis;
 use html::Picture;
 
-/// Reports on a rotor: computes all, writes the files, then prints.
+/// Reports on a rotor: computes all, writes the files, prints the tables, and says where the files are.
 ///
 /// # Errors
 ///
-/// Where the rotor cannot be read, has no coefficients, or the files cannot be written.
+/// Where the rotor cannot be read, has no coefficients, or the files cannot be written; the tables are printed before
+/// that is said.
 pub(crate) fn run(arguments: &ReportArguments) -> Result<Outcome, Failure> {
+    if arguments.output.as_os_str() == "-" {
+        return Err(Failure::input(
+            "a report is a folder of files and cannot be standard output; give a folder with -o",
+        ));
+    }
     let named = rotor_file::load(arguments.file.as_deref())?;
-    // A folder that cannot be written to is known before the work is done.
-    let mut folder = StagedFolder::new(&arguments.output)?;
+    // A folder that cannot be written to is known before the figures are drawn.
+    let folder = StagedFolder::new(&arguments.output);
     let analysis = Analysis::new(named)?;
     let heading = zup::heading(&analysis.named);
     let tables = tables::tables(&analysis);
-    let warnings: Vec<_> = analysis
-        .named
-        .rotor
-        .warnings()
-        .iter()
-        .map(ToString::to_string)
-        .collect();
-    let files: Vec<_> = figures::figures(&analysis).par_iter().map(draw).collect();
+    let warnings = doubts(&analysis.named.rotor);
+    let written = folder.and_then(|folder| {
+        let pictures = figures::figures(&analysis);
+        write(folder, &pictures, |pictures| {
+            html::page(&heading, &warnings, &tables, pictures)
+        })
+    });
+    output::print(&terminal(&heading, &warnings, &tables))?;
+    written?;
+    let page = arguments.output.join("report.html");
+    output::print(&format!(
+        "\nThe figures and this report: {}\n",
+        page.display()
+    ))?;
+    Ok(checked(&analysis))
+}
+
+/// Draws the figures and writes all files.
+fn write(
+    mut folder: StagedFolder,
+    figures: &[Figure],
+    page: impl Fn(&[Picture]) -> String,
+) -> Result<(), Failure> {
+    let drawn: Vec<_> = figures.par_iter().map(draw).collect();
     let mut pictures = Vec::new();
-    for drawn in files {
+    for drawn in drawn {
         let Drawn { picture, png, csv } =
             drawn.map_err(|error| Failure::input(format!("no report: {error}")))?;
         folder.add(&format!("{}.svg", picture.name), picture.svg.as_bytes())?;
@@ -47,19 +70,8 @@ pub(crate) fn run(arguments: &ReportArguments) -> Result<Outcome, Failure> {
         folder.add(&format!("{}.csv", picture.name), csv.as_bytes())?;
         pictures.push(picture);
     }
-    folder.add(
-        "report.html",
-        html::page(&heading, &warnings, &tables, &pictures).as_bytes(),
-    )?;
-    folder.finish()?;
-    let page = arguments.output.join("report.html");
-    let mut text = terminal(&heading, &warnings, &tables);
-    text.push_str(&format!(
-        "\nThe figures and this report: {}\n",
-        page.display()
-    ));
-    output::print(&text)?;
-    Ok(checked(&analysis))
+    folder.add("report.html", page(&pictures).as_bytes())?;
+    folder.finish()
 }
 
 /// A figure in all its forms.

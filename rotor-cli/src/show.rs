@@ -1,10 +1,18 @@
 //! `rotor show`: an equation as Rust, as LaTeX or as a graph, and the list of all.
 
+mod plain_math;
+
 use std::fmt::Write;
 
 use codegen::expand::Expansion;
 use codegen::show::{self, ShowError, Summary};
 use rotor_core::equations::SOURCE;
+use rotor_core::quantity::Quantity;
+
+use crate::failure::Failure;
+use crate::output;
+use crate::table::{LINE, wrapped};
+use plain_math::plain;
 
 /// The form in which an equation is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,24 +30,81 @@ pub(crate) enum Form {
 /// # Errors
 ///
 /// Where no equation has this name.
-pub(crate) fn run(name: Option<&str>, form: Form) -> Result<String, ShowError> {
-    let mut expansion = show::module(SOURCE)?;
-    match name {
-        Some(name) => equation(&mut expansion, name, form),
-        None => Ok(list(&show::list(&mut expansion))),
-    }
+pub(crate) fn run(name: Option<&str>, form: Form) -> Result<String, Failure> {
+    let told = |error: ShowError| Failure::input(error.to_string());
+    let mut expansion = show::module(SOURCE).map_err(told)?;
+    let Some(name) = name else {
+        return Ok(list(&show::list(&mut expansion)));
+    };
+    let name = name.to_lowercase();
+    let known = expansion.function_names().contains(&name);
+    let name = match Quantity::ALL
+        .into_iter()
+        .find(|result| result.name() == name)
+    {
+        Some(result) if !known => formula_of(result)?,
+        _ => &name,
+    };
+    equation(&mut expansion, name, form).map_err(told)
+}
+
+/// The formula that gives a result which is not a formula itself; it is said on stderr.
+fn formula_of(result: Quantity) -> Result<&'static str, Failure> {
+    use Quantity::{CirExactLower, CirExactUpper, SirExactLower, SirExactUpper};
+    let formula = match result {
+        SirExactLower | SirExactUpper | CirExactLower | CirExactUpper => {
+            return Err(Failure::input(format!(
+                "`{result}` is no closed form: it is computed from the roots of the frequency equation, see `rotor \
+                 show phi`"
+            )));
+        }
+        Quantity::C11 | Quantity::C22 | Quantity::C33 | Quantity::C44 => "crack_compliance",
+        _ => "coefficients",
+    };
+    output::remark(&format!("`{result}` is one of the results of `{formula}`:"));
+    Ok(formula)
 }
 
 fn equation(expansion: &mut Expansion, name: &str, form: Form) -> Result<String, ShowError> {
     match form {
-        Form::Rust => show::rust(expansion, name),
-        Form::Latex => show::latex(expansion, name),
+        Form::Rust => show::rust(expansion, name).map(|code| in_lines(&code, comment)),
+        Form::Latex => show::latex_in_full(expansion, name)
+            .map(|text| in_lines(&text, |_| Some("  ".to_owned()))),
         Form::Graph => show::graph(expansion, name),
     }
 }
 
-/// The longest line of the list.
-const WIDTH: usize = 100;
+/// What a comment's further lines begin with, as its first; other code is not broken.
+fn comment(line: &str) -> Option<String> {
+    let text = line.trim_start();
+    let slashes = text.len() - text.trim_start_matches('/').len();
+    let indent = line.len() - text.len();
+    (slashes >= 2).then(|| format!("{}{} ", " ".repeat(indent), "/".repeat(slashes)))
+}
+
+/// The text with its wide lines broken at spaces; `start` gives what further lines begin with. LaTeX reads the end of a
+/// line as a space.
+fn in_lines(text: &str, start: impl Fn(&str) -> Option<String>) -> String {
+    let mut lines = Vec::new();
+    for line in text.lines() {
+        let Some(start) = start(line) else {
+            lines.push(line.to_owned());
+            continue;
+        };
+        let mut broken = String::new();
+        for word in line.split_inclusive(' ') {
+            let width = broken.chars().count() + word.trim_end().chars().count();
+            if width > LINE && broken.trim() != start.trim() {
+                lines.push(broken.trim_end().to_owned());
+                broken.clone_from(&start);
+            }
+            broken.push_str(word);
+        }
+        lines.push(broken.trim_end().to_owned());
+    }
+    lines.push(String::new());
+    lines.join("\n")
+}
 
 /// One block for each equation: its name, the operations of its value, and what it is.
 fn list(equations: &[Summary]) -> String {
@@ -53,25 +118,7 @@ fn list(equations: &[Summary]) -> String {
         let cost = cost.map_or_else(|| "an integral".to_owned(), |cost| cost.to_string());
         // Writing to a string never fails.
         let _ = writeln!(text, "{name:width$}  {cost}");
-        push_wrapped(&mut text, about);
+        text.push_str(&wrapped(&plain(about), "    "));
     }
     text
-}
-
-/// Adds the words in indented lines.
-fn push_wrapped(text: &mut String, words: &str) {
-    const INDENT: usize = 3;
-    let mut column = 0;
-    for word in words.split_whitespace() {
-        let length = 1 + word.chars().count();
-        if column == 0 || column + length > WIDTH {
-            text.push_str(if column == 0 { "" } else { "\n" });
-            text.push_str(&" ".repeat(INDENT));
-            column = INDENT;
-        }
-        text.push(' ');
-        text.push_str(word);
-        column += length;
-    }
-    text.push('\n');
 }

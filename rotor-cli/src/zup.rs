@@ -9,6 +9,7 @@ use rotor_core::zero_unstable_point::{
 };
 
 use crate::command_line::ZupArguments;
+use crate::doubts::doubts;
 use crate::failure::{Failure, Outcome};
 use crate::output;
 use crate::rotor_file::{self, NamedRotor};
@@ -21,7 +22,7 @@ use crate::table::{Cell, Table, significant, wrapped};
 /// Where the rotor cannot be read.
 pub(crate) fn run(arguments: &ZupArguments) -> Result<Outcome, Failure> {
     let named = rotor_file::load(arguments.file.as_deref())?;
-    for warning in named.rotor.warnings() {
+    for warning in doubts(&named.rotor) {
         output::remark(&format!("warning: {warning}"));
     }
     output::print(&format!(
@@ -41,15 +42,23 @@ pub(crate) fn heading(named: &NamedRotor) -> String {
     )
 }
 
-/// The zero unstable points of both regions.
+/// The regions as the table calls them; few rotors have the upper simple one.
+const REGIONS: [(RegionKind, &str); 3] = [
+    (RegionKind::Simple, "SIR"),
+    (RegionKind::UpperSimple, "upper SIR"),
+    (RegionKind::Combination, "CIR"),
+];
+
+/// The zero unstable points of every region.
 pub(crate) fn table(rotor: &Rotor) -> Table {
-    let parameters = rotor.parameters();
     let mut rows = Vec::new();
-    for (kind, short) in [
-        (RegionKind::Simple, "SIR"),
-        (RegionKind::Combination, "CIR"),
-    ] {
-        rows.extend(region_rows(rotor, kind, short));
+    for (kind, short) in REGIONS {
+        let exists = rotor
+            .coefficients()
+            .is_ok_and(|c| region::start(kind, &c).is_ok());
+        if kind != RegionKind::UpperSimple || exists {
+            rows.extend(region_rows(rotor, kind, short));
+        }
     }
     Table {
         title:
@@ -57,13 +66,24 @@ pub(crate) fn table(rotor: &Rotor) -> Table {
                 .to_owned(),
         headings: vec!["region", "closed by", "symbol", "value", "at crack angle"],
         rows,
-        notes: vec![format!(
-            "The depths hold for the rotor's asymmetry {} and position l_c/L = {}, the positions for its depth {}.",
-            parameters.disk_asymmetry,
-            parameters.crack_position_ratio,
-            parameters.crack_depth_ratio
-        )],
+        notes: notes(rotor),
     }
+}
+
+/// For which rotor the rows hold.
+fn notes(rotor: &Rotor) -> Vec<String> {
+    let p = rotor.parameters();
+    let mut notes = vec![format!(
+        "The depths hold for the rotor's asymmetry {} and position l_c/L = {}, the positions for its depth {}.",
+        p.disk_asymmetry, p.crack_position_ratio, p.crack_depth_ratio
+    )];
+    if p.crack_depth_ratio == 0.0 && p.disk_asymmetry != 0.0 {
+        notes.push(
+            "Without a crack its position closes nothing, and a symmetric disk has no region."
+                .to_owned(),
+        );
+    }
+    notes
 }
 
 fn region_rows(rotor: &Rotor, kind: RegionKind, short: &str) -> Vec<Vec<Cell>> {
@@ -87,7 +107,14 @@ fn region_rows(rotor: &Rotor, kind: RegionKind, short: &str) -> Vec<Vec<Cell>> {
             } else {
                 "disk asymmetry (no disk has it)"
             };
-            rows.push(row(short, what, "Δ_d,ZUP", value, angle));
+            let mut found = row(short, what, "Δ_d,ZUP", value, angle);
+            if value == 0.0
+                && let Some(angle) = found.last_mut()
+            {
+                // Nothing is left that could be turned against the other.
+                *angle = Cell::text("every angle");
+            }
+            rows.push(found);
         }
         Err(why) => rows.push(none(short, "disk asymmetry", "Δ_d,ZUP", &why)),
     }

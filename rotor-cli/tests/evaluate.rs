@@ -128,6 +128,7 @@ fn a_region_that_does_not_exist_is_empty_with_its_reason_and_no_failure() {
 fn a_bad_row_is_told_by_line_column_value_and_what_is_allowed() {
     let table = "name,disk_mass\n\"two\nlines\",1\n\nB,-2\n";
     insta::assert_snapshot!(refused(table, &[]), @r#"
+    warning: standard input: columns that are no inputs are only carried through: `name`
     error: standard input: line 5: column `disk_mass`: "-2" is not allowed, a number > 0 is wanted; no
       results are written
     "#);
@@ -248,13 +249,19 @@ fn results_that_the_table_has_already_are_computed_anew() {
     let first = evaluate("disk_mass\n1\n", &["-q", "sir_width"]);
     let again = evaluate(&first.stdout, &["-q", "sir_width"]);
     assert_eq!((again.code, &again.stdout), (0, &first.stdout));
-    insta::assert_snapshot!(again.stderr, @"warning: standard input: results are computed anew, the table's own are dropped: `sir_width`");
+    insta::assert_snapshot!(again.stderr, @r"
+    warning: standard input: results are computed anew, the table's own are dropped: `sir_width`,
+      `error`
+    ");
     let other = evaluate(&first.stdout, &["-q", "beta"]);
     assert_eq!(
         cells(&other.stdout)[0],
         ["disk_mass", "sir_width", "beta", "error"]
     );
-    assert_eq!(other.stderr, "");
+    insta::assert_snapshot!(other.stderr, @r"
+    warning: standard input: columns that are no inputs are only carried through: `sir_width`
+    warning: standard input: results are computed anew, the table's own are dropped: `error`
+    ");
 }
 
 #[test]
@@ -280,10 +287,142 @@ fn columns_that_look_like_inputs_are_remarked_upon() {
         "{}",
         run.stderr
     );
-    assert_eq!(
-        evaluate("note,disk_mass\n1,1\n", &["-q", "beta"]).stderr,
-        ""
+}
+
+#[test]
+fn columns_that_are_no_inputs_are_named_in_one_line_with_what_they_may_have_been_meant_to_be() {
+    let table = "crack_depth,depth_ratio,model,E,name,crack_angle\n0.3,0.3,midspan-arm,1e9,A,0\n";
+    let run = evaluate(table, &["-q", "beta"]);
+    assert_eq!(run.code, 0);
+    insta::assert_snapshot!(run.stderr, @r"
+    warning: standard input: columns that are no inputs are only carried through: `crack_depth` (is it
+      `crack_depth_ratio`?), `depth_ratio` (is it `crack_depth_ratio`?), `model` (is it `crack_model`?),
+      `E` (is it `shaft_youngs_modulus`?), `name`
+    ");
+    let wide: Vec<_> = (0..100).map(|index| format!("x{index:02}")).collect();
+    let run = evaluate(format!("crack_angle,{}\n", wide.join(",")), &["-q", "beta"]);
+    assert!(run.stderr.contains("`x11`, and 88 more"), "{}", run.stderr);
+}
+
+#[test]
+fn a_lone_return_ends_a_row_as_other_line_ends_do() {
+    let cases = [
+        ("crack_angle\r0\r1\r", 2),
+        ("crack_angle,name\r\n0,a\r1,b\r\n2,c\n", 3),
+        ("crack_angle\n0\r\r\n1", 2),
+    ];
+    for (table, rows) in cases {
+        let run = evaluate(table, &["-q", "sir_width"]);
+        assert_eq!(run.code, 0, "{table:?}: {}", run.stderr);
+        assert_eq!(
+            cells(&run.stdout).len(),
+            rows + 1,
+            "{table:?}: {}",
+            run.stdout
+        );
+    }
+    assert!(refused("crack_angle\r0\rbad\r", &[]).contains("line 3: column `crack_angle`"));
+    assert!(
+        refused("crack_angle,name\n0,a\rb\n", &[]).contains("line 3: the row has 1 field"),
+        "what follows the return is a row of its own"
     );
+    let quoted = evaluate("crack_angle,name\n0,\"a\rb\"\n", &["-q", "beta"]);
+    assert_eq!(cells(&quoted.stdout)[1][1], "a\rb");
+}
+
+#[test]
+fn keeping_going_loses_nothing() {
+    let run = evaluate(
+        "n,crack_angle,error\n1,0,mine\n2,0,x,9,\"8,7\"\n3,\"0\n4,0,y\n",
+        &["-q", "beta", "--keep-going"],
+    );
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    assert!(run.stderr.contains("dropped: `error`"), "{}", run.stderr);
+    let table = cells(&run.stdout);
+    assert_eq!(table.len(), 5, "{}", run.stdout);
+    assert_eq!(
+        table[2][3],
+        "the row has 5 fields, the header has 3; beyond it: \"9\", \"8,7\""
+    );
+    assert_eq!((table[3][0].as_str(), table[3][1].as_str()), ("3", "0"));
+    assert!(table[3][3].contains("never closed"), "{:?}", table[3]);
+    assert!(table[4][2].parse::<f64>().is_ok(), "{:?}", table[4]);
+}
+
+#[test]
+fn a_table_without_a_single_rotor_ends_with_1() {
+    let run = evaluate("disk_mass\n0\n-1\n", &["-q", "beta", "--keep-going"]);
+    assert_eq!(run.code, 1, "{}", run.stderr);
+    assert!(run.stderr.contains("2 of 2 rows"), "{}", run.stderr);
+    assert_eq!(cells(&run.stdout).len(), 3);
+    assert_eq!(evaluate("disk_mass\n", &["--keep-going"]).code, 0);
+}
+
+#[test]
+fn a_base_is_not_refused_for_what_columns_replace() {
+    let place = Workplace::new()
+        .with(
+            "deep.toml",
+            rotor_file("depth_ratio = 0.2", "depth_ratio = 1.5"),
+        )
+        .with("flat.toml", rotor_file("0.2096", "0.5"))
+        .with("short.toml", rotor_file("mass = 10.43", "# mass"));
+    let run = |base: &str, table: &str| {
+        place.run_on(
+            &["evaluate", "-", "-q", "beta", "-b", base],
+            table.as_bytes(),
+        )
+    };
+    for (base, table) in [
+        ("deep.toml", "crack_depth_ratio\n0.1\n"),
+        ("flat.toml", "disk_polar_inertia\n0.2\n"),
+        ("short.toml", "disk_mass\n1\n"),
+    ] {
+        assert_eq!(run(base, table).code, 0, "{}", run(base, table).stderr);
+        assert_eq!(run(base, "crack_angle\n0\n").code, 2, "{base}");
+    }
+    let both = run("flat.toml", "disk_diametral_inertia\n0.1\n");
+    assert!(
+        both.code == 2 && both.stderr.contains("line 2"),
+        "{}",
+        both.stderr
+    );
+}
+
+#[test]
+fn cells_reach_the_terminal_without_control_codes_and_not_endless() {
+    let message = refused("crack_angle\n\"\u{1b}[31mred\"\n", &[]);
+    assert!(message.contains("\\u{1b}[31mred"), "{message:?}");
+    assert!(!message.contains('\u{1b}'), "{message:?}");
+    let message = refused(format!("crack_angle\n{}\n", "7x".repeat(5000)), &[]);
+    assert!(
+        message.lines().all(|line| line.chars().count() <= 100) && message.contains('…'),
+        "{message}"
+    );
+}
+
+#[test]
+fn names_of_results_may_be_capitals() {
+    let run = evaluate("crack_angle\n0\n", &["-q", "SIR_WIDTH"]);
+    assert!(
+        run.stdout.starts_with("crack_angle,sir_width,error"),
+        "{}",
+        run.stderr
+    );
+    assert_eq!(
+        cells(&evaluate("crack_angle\n0\n", &["-q", "ALL"]).stdout)[0].len(),
+        23
+    );
+}
+
+#[test]
+fn rows_in_other_units_are_doubtful() {
+    let run = evaluate("crack_angle\n1\n90\n", &["-q", "beta"]);
+    assert_eq!(run.code, 0);
+    insta::assert_snapshot!(run.stderr, @r"
+    warning: standard input: 1 of 2 rows are doubtful, the first in line 3: crack_angle is 90 rad, more
+      than a turn; is it in degrees?
+    ");
 }
 
 #[test]

@@ -237,3 +237,54 @@ fn the_folder_keeps_other_files_and_appears_only_when_all_is_made() {
     );
     assert_eq!(place.names(), ["a.toml", "file", "out"]);
 }
+
+#[test]
+fn a_report_that_cannot_be_written_still_prints_its_tables_and_leaves_the_folder_as_it_was() {
+    let place = Workplace::new();
+    std::fs::create_dir_all(place.path("r/report.html")).unwrap();
+    std::fs::write(place.path("r/figure-3.csv"), "mine").unwrap();
+    let run = place.run(&["report", "-o", "r"]);
+    assert_eq!(run.code, 2, "{}", run.stderr);
+    assert!(
+        run.stdout.contains("Zero unstable points"),
+        "{}",
+        run.stdout
+    );
+    assert!(!run.stdout.contains("this report:"), "{}", run.stdout);
+    assert!(
+        run.stderr.contains("report.html`: it is a folder"),
+        "{}",
+        run.stderr
+    );
+    assert_eq!(place.read("r/figure-3.csv"), "mine");
+    assert_eq!(std::fs::read_dir(place.path("r")).unwrap().count(), 2);
+    assert_eq!(place.names(), ["r"]);
+    let place = Workplace::new().with("file", "");
+    let run = place.run(&["report", "-o", "file"]);
+    assert!(
+        run.code == 2 && run.stdout.contains("Zero unstable points"),
+        "{}",
+        run.stderr
+    );
+    let run = place.run(&["report", "-o", "-"]);
+    assert!(
+        run.code == 2 && run.stderr.contains("cannot be standard output"),
+        "{}",
+        run.stderr
+    );
+}
+
+#[test]
+fn numbers_beyond_double_precision_are_refused_by_the_quantitys_name() {
+    let place = Workplace::new().with("a.toml", rotor_file("mass = 10.43", "mass = 1e300"));
+    let run = place.run(&["report", "a.toml"]);
+    assert_eq!((run.code, run.stdout.as_str()), (2, ""), "{}", run.stderr);
+    assert!(run.stderr.contains("double precision"), "{}", run.stderr);
+    let run = place.run_on(
+        &["evaluate", "-", "-q", "sir_start,sir_width", "-k"],
+        b"disk_mass\n1e300\n",
+    );
+    let row = &cells(&run.stdout)[1];
+    assert_eq!((row[1].as_str(), row[2].as_str()), ("", ""), "{row:?}");
+    assert!(row[3].contains("double precision"), "{row:?}");
+}

@@ -96,8 +96,18 @@ fn the_right_place_of_a_key_is_told() {
             ("mass = 10.43", "radius = 1\nmass = 10.43"),
             "`radius` belongs under `[shaft]`",
         ),
-        (("mass = 10.43", "mass = nan"), "disk_mass is NaN"),
-        (("mass = 10.43", "mass = 1e999"), "disk_mass is inf"),
+        (
+            ("mass = 10.43", "mass = nan"),
+            "disk_mass is NaN kg; it must be finite and > 0",
+        ),
+        (
+            ("mass = 10.43", "mass = 1e400"),
+            "disk_mass is inf kg; it must be finite and > 0",
+        ),
+        (
+            ("angle = 0.0", "angle = inf"),
+            "crack_angle is inf rad; it must be finite",
+        ),
         (("mass = 10.43", "mass = true"), "of type boolean"),
         (("mass = 10.43", "mass = 1\nmass = 2"), "duplicate key"),
         (("model = \"support-arm\"", "model = 1"), "a text in quotes"),
@@ -127,7 +137,83 @@ fn all_mistakes_are_told_at_once() {
         message.contains("disk_mass is 0 kg") && message.contains("`asymetry`"),
         "{message}"
     );
-    assert!(message.contains("disk.asymmetry is missing"), "{message}");
+    assert!(
+        !message.contains("is missing"),
+        "a misspelt key is one mistake: {message}"
+    );
+}
+
+#[test]
+fn the_key_that_was_meant_is_found() {
+    let cases = [
+        (
+            "depth_ratio = 0.2",
+            "depth = 0.2",
+            "did you mean `depth_ratio`?",
+        ),
+        ("length =", "len =", "did you mean `length`?"),
+        ("youngs_modulus =", "E =", "did you mean `youngs_modulus`?"),
+        ("\nradius =", "\nradius_mm =", "did you mean `radius`?"),
+        ("[shaft]", "m_d = 1\n[shaft]", "did you mean `mass`?"),
+    ];
+    for (from, to, expected) in cases {
+        let message = refused(rotor_file(from, to));
+        assert!(message.contains(expected), "{to}: {message}");
+        assert_eq!(message.matches("error: ").count(), 1, "{message}");
+    }
+}
+
+#[test]
+fn a_section_without_its_header_is_one_mistake() {
+    for section in ["disk", "shaft", "crack"] {
+        let message = refused(rotor_file(&format!("[{section}]\n"), ""));
+        assert_eq!(message.matches("error: ").count(), 1, "{message}");
+        assert!(
+            message.contains(&format!("the header `[{section}]` is missing")),
+            "{message}"
+        );
+    }
+    insta::assert_snapshot!("no_header", refused(rotor_file("[shaft]\n", "")));
+    insta::assert_snapshot!(
+        "missing_keys",
+        refused(rotor_file("\nlength", "\n# length").replace("\nradius", "\n# radius"))
+    );
+}
+
+#[test]
+fn no_line_is_too_wide_and_no_control_code_is_shown() {
+    let long = "x".repeat(300);
+    let files = [
+        rotor_file("mass = 10.43", &format!("mass = -1 # {long}")),
+        rotor_file("mass = 10.43", &format!("{long} = -1")),
+        rotor_file("\"support-arm\"", &format!("\"{long}\"")),
+        rotor_file("0.2096", "0.5"),
+        rotor_file("mass = 10.43", "\"\\u001b[31m\" = 1"),
+        String::new(),
+    ];
+    for file in files {
+        let message = refused(&file);
+        assert!(
+            message.lines().all(|line| line.chars().count() <= 100),
+            "{message}"
+        );
+    }
+    let name = format!("{}\u{1b}.toml", "n".repeat(150));
+    let run = Workplace::new()
+        .with(&name, rotor_file("mass = 10.43", "mass = 10"))
+        .run(&["zup", &name]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    assert!(!run.stdout.contains('\u{1b}'));
+    assert!(
+        run.stdout.lines().all(|line| line.chars().count() <= 100),
+        "{}",
+        run.stdout
+    );
+}
+
+#[test]
+fn what_is_far_too_long_is_no_rotor_file() {
+    assert!(refused("# x\n".repeat(300_000)).contains("no rotor file"));
 }
 
 #[test]

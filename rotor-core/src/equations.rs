@@ -302,9 +302,7 @@ mod formulas {
 
     /// Stiffness of the cracked shaft, Eq. (10).
     ///
-    /// The variations are differences of two nearly equal inverses. With the flexibilities $A_1$, $A_2$ of the two
-    /// planes, $A_1^{-1} - A_2^{-1} = A_1^{-1}(A_2 - A_1)A_2^{-1}$, and $A_2 - A_1$ is the crack's own compliance, so
-    /// that a shallow crack keeps all digits.
+    /// As $A_1^{-1} - A_2^{-1} = A_1^{-1}(A_2 - A_1)A_2^{-1}$ with the crack's own $A_2 - A_1$, a shallow one keeps all digits.
     #[generate(value)]
     pub fn stiffness(p: &RotorParameters, s: &SectionLoads, edge_factor: f64) -> Stiffness {
         let f = shaft_flexibility(p);
@@ -391,7 +389,7 @@ mod formulas {
         let g = tilting(omega, speed, c);
         let g_bar = tilting(omega_bar, speed, c);
         let gamma_2 = c.gamma.powi(2);
-        let cos_2phi = (2.0 * c.crack_angle).cos();
+        let cos_2phi = 1.0 - 2.0 * c.crack_angle.sin().powi(2);
         let inertia = c.disk_asymmetry * omega * omega_bar;
         f_n(omega, speed, c) * f_n(omega_bar, speed, c)
             - c.epsilon_1.powi(2) * g * g_bar
@@ -514,10 +512,16 @@ mod formulas {
 
     // ---- Widths, growth and zero unstable points, Eqs. (29) to (32) -------------------------------
 
-    /// $\Theta_1/\bar H$ at the start of a region, where $f_n = \bar f_n = 0$ and so $\gamma^2/\bar H = \bar G$: Eq. (25c) without
-    /// the division, which would be 0/0 where displacement and tilt are uncoupled. `g` belongs to the partner frequency.
+    /// $\Theta_1/H$ at the start of a simple region, where $HG = \gamma^2$: Eq. (25c) without the division, which would be 0/0
+    /// where displacement and tilt are uncoupled. Only the product $\epsilon_{12}\gamma$ is needed, which then is finite.
     pub fn crack_excitation(h: f64, g: f64, c: &Coefficients) -> f64 {
-        c.epsilon_1 * g - c.epsilon_12 * (c.gamma.powi(2) + h * g) + c.epsilon_2 * c.delta * h
+        c.epsilon_1 * g - 2.0 * (c.epsilon_12 * c.gamma) * c.gamma + c.epsilon_2 * c.delta * h
+    }
+
+    /// $\gamma\Theta_1/\bar H$ at the start of the combination region, likewise; `g` belongs to the partner frequency.
+    pub fn coupled_crack_excitation(h: f64, g: f64, c: &Coefficients) -> f64 {
+        c.gamma * (c.epsilon_1 * g + c.epsilon_2 * c.delta * h)
+            - (c.epsilon_12 * c.gamma) * (c.gamma.powi(2) + h * g)
     }
 
     /// $H$ at a whirl frequency, from both its definition and $HG = \gamma^2$: $(\gamma^2 + H^2)/(G + H)$. Where the
@@ -536,21 +540,20 @@ mod formulas {
 
     /// $-\Gamma/(H\bar H)$ at the start of the combination region.
     ///
-    /// With $\Theta = \bar H\,\theta$ and $\bar H\bar G = \gamma^2$ it is $-\gamma^2|\theta|^2/(H\bar G)$, and with the roles of the two
-    /// frequencies exchanged $-\gamma^2|\bar\theta|^2/(\bar H G)$. Each form loses its digits where the other keeps them; numerators and
-    /// denominators have one sign each, so that their sums give the same quotient with all digits.
+    /// With $\Theta = \bar H\,\theta$ and $\bar H\bar G = \gamma^2$ it is $-|\gamma\theta|^2/(H\bar G)$, or $-|\gamma\bar\theta|^2/(\bar H G)$. Each form loses
+    /// its digits where the other keeps them; their parts have one sign, and the quotient of the sums has all digits.
     pub fn cir_strength(omega: f64, speed: f64, c: &Coefficients) -> f64 {
         let omega_bar = 2.0 * speed - omega;
         let h = transverse(omega);
         let h_bar = transverse(omega_bar);
         let g = tilting(omega, speed, c);
         let g_bar = tilting(omega_bar, speed, c);
-        let inertia = c.disk_asymmetry * omega * omega_bar;
-        let crack = crack_excitation(h, g_bar, c);
-        let crack_bar = crack_excitation(h_bar, g, c);
+        let inertia = c.gamma * c.disk_asymmetry * omega * omega_bar;
+        let crack = coupled_crack_excitation(h, g_bar, c);
+        let crack_bar = coupled_crack_excitation(h_bar, g, c);
         let excitation = resultant_squared(crack, inertia * h, c.crack_angle);
         let excitation_bar = resultant_squared(crack_bar, inertia * h_bar, c.crack_angle);
-        -c.gamma.powi(2) * (excitation + excitation_bar) / (h * g_bar + h_bar * g)
+        -(excitation + excitation_bar) / (h * g_bar + h_bar * g)
     }
 
     /// Growth rate over the root of the strength at the start of a region: the first term of Eq. (29),
@@ -652,8 +655,7 @@ mod formulas {
         closing_asymmetry(upper_sir_start(c), c)
     }
 
-    /// The disk asymmetry that closes the combination region at $\phi = 0$, Eq. (32); over both frequencies, as in
-    /// [`cir_strength()`].
+    /// The disk asymmetry that closes the combination region at $\phi = 0$, Eq. (32), as in [`cir_strength()`].
     #[generate(value)]
     pub fn cir_zup_asymmetry(c: &Coefficients) -> f64 {
         let speed = cir_start(c);
@@ -661,9 +663,9 @@ mod formulas {
         let omega_bar = 2.0 * speed - omega;
         let h = transverse(omega);
         let h_bar = transverse(omega_bar);
-        let crack = crack_excitation(h, tilting(omega_bar, speed, c), c);
-        let crack_bar = crack_excitation(h_bar, tilting(omega, speed, c), c);
-        (crack_bar - crack) / (omega * omega_bar * (h - h_bar))
+        let crack = coupled_crack_excitation(h, tilting(omega_bar, speed, c), c);
+        let crack_bar = coupled_crack_excitation(h_bar, tilting(omega, speed, c), c);
+        (crack_bar - crack) / (c.gamma * omega * omega_bar * (h - h_bar))
     }
 
     // ---- Both widths straight from the physical rotor ----------------------------------------------

@@ -207,12 +207,21 @@ pub fn width_gradient(kind: RegionKind, rotor: &Rotor) -> Result<(f64, [f64; 12]
         LoadCase::SimplySupportedRight => equations::widths_simply_supported_right::gradient,
     };
     let ((simple, combination), [by_simple, by_combination]) = gradient(p, edge_factor);
-    let (width, partials) = match kind {
+    let (width, mut partials) = match kind {
         RegionKind::Simple => (simple, by_simple),
         RegionKind::Combination => (combination, by_combination),
         RegionKind::UpperSimple => return Err(NoGradient::UpperSimple),
     };
     let width = require_finite(kind, "width", width)?;
+    if p.crack_depth_ratio == 0.0 && width > 0.0 {
+        // The compliances of Eq. (8) start as sigma^2.5 and sigma^3.5, and an open region's width is smooth in them: the
+        // partial by the depth is zero. The generated chain rule has 0/0 there, from the slope of the root of sigma.
+        for (input, partial) in INPUTS.iter().zip(&mut partials) {
+            if input.name == "crack_depth_ratio" {
+                *partial = 0.0;
+            }
+        }
+    }
     let mut named = INPUTS.iter().zip(partials);
     match named.find(|(_, partial)| !partial.is_finite()) {
         None => Ok((width, partials)),
@@ -282,7 +291,8 @@ pub enum NoEnds {
 ///
 /// Simple regions can overlap: where $|\Delta_d| > |\beta - 1|$ one that reaches to infinite speed may
 /// hold the other inside it. The simple region's ends are therefore the neighbouring ones that its
-/// approximate ends $\Omega_s \pm \lambda_s/2$ approximate best, and the upper simple region has the rest.
+/// approximate ends $\Omega_s \pm \lambda_s/2$ approximate best, and the upper simple region has the rest. Where Eq. (31)
+/// gives no width, because the two regions start at the same speed, they are the ones nearest to that speed.
 ///
 /// # Errors
 /// Where the region does not exist or has no upper end.
@@ -314,7 +324,8 @@ pub fn exact_ends(kind: RegionKind, c: &Coefficients) -> Result<Ends, NoEnds> {
 /// The neighbouring ends with no stable speed between them that are nearest to the approximate ends.
 fn simple_pair(ends: &[f64], c: &Coefficients) -> Result<Ends, NoEnds> {
     let start = start(RegionKind::Simple, c)?;
-    let half_width = 0.5 * width(RegionKind::Simple, c)?;
+    // At a double start Eq. (31) is 0/0; the exact ends are there all the same.
+    let half_width = 0.5 * width(RegionKind::Simple, c).unwrap_or(0.0);
     let distance = |ends: &Ends| {
         (ends.lower - (start - half_width)).abs() + (ends.upper - (start + half_width)).abs()
     };
@@ -621,11 +632,54 @@ mod tests {
                 assert!((scaled - expected).abs() < 1e-8, "{kind} by {}", input.name);
             }
         }
+        let uncracked = rotor.with(|p| p.crack_depth_ratio = 0.0).unwrap();
+        let shallow = rotor.with(|p| p.crack_depth_ratio = 1e-7).unwrap();
+        for kind in [RegionKind::Simple, RegionKind::Combination] {
+            let (value, partials) = width_gradient(kind, &uncracked).unwrap();
+            let (near, nearby) = width_gradient(kind, &shallow).unwrap();
+            assert!((value - near).abs() < 1e-12 * value);
+            for ((input, partial), nearby) in INPUTS.iter().zip(partials).zip(nearby) {
+                let size = value / (input.get)(shallow.parameters()).abs().max(1e-3);
+                assert!(
+                    (partial - nearby).abs() < 1e-8 * size,
+                    "{kind} by {}: {partial:e} {nearby:e}",
+                    input.name
+                );
+            }
+            assert_eq!(partials[9], 0.0);
+        }
         let round = rotor.with(|p| (p.disk_asymmetry, p.crack_depth_ratio) = (0.0, 0.0));
         let reason = width_gradient(RegionKind::Simple, &round.unwrap()).unwrap_err();
         assert!(matches!(reason, NoGradient::Corner { .. }), "{reason}");
         let reason = width_gradient(RegionKind::UpperSimple, &rotor).unwrap_err();
         assert!(matches!(reason, NoGradient::Region(_)), "{reason}");
+    }
+
+    #[test]
+    fn the_exact_ends_do_not_need_a_width() {
+        // Displacement and tilt are uncoupled and have their regions at the same speed.
+        let c = Coefficients {
+            gamma: 0.0,
+            delta: 0.4,
+            epsilon_1: 0.05,
+            epsilon_12: 0.0,
+            epsilon_2: 0.05,
+            disk_asymmetry: 0.1,
+            ..COUPLED
+        };
+        assert!(width(RegionKind::Simple, &c).is_err());
+        let simple = exact_ends(RegionKind::Simple, &c).unwrap();
+        let upper = exact_ends(RegionKind::UpperSimple, &c).unwrap();
+        let mut all = vec![simple.lower, simple.upper, upper.lower, upper.upper];
+        all.sort_by(f64::total_cmp);
+        assert_eq!(all, stability::simple_region_ends(&c).unwrap());
+        let displacement = [0.95_f64.sqrt(), 1.05_f64.sqrt()];
+        for end in displacement {
+            assert!(
+                all.iter().any(|found| (found - end).abs() < 1e-14),
+                "{all:?}"
+            );
+        }
     }
 
     #[test]

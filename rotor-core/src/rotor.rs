@@ -235,7 +235,9 @@ impl Rotor {
     /// Where an entry is not finite, or the mean stiffness is not positive.
     pub fn stiffness(&self) -> Result<Stiffness, NoCoefficients> {
         let edge_factor = self.parameters.crack_edge.factor();
-        let k = equations::stiffness::value(&self.parameters, &self.section_loads(), edge_factor);
+        let loads = self.section_loads();
+        self.check_flexibility(&loads)?;
+        let k = equations::stiffness::value(&self.parameters, &loads, edge_factor);
         check(
             &[("k_tt", k.k_tt), ("k_mm", k.k_mm)],
             |value| value > 0.0,
@@ -249,6 +251,22 @@ impl Rotor {
         ];
         check(&named, |_| true, "a finite number")?;
         Ok(k)
+    }
+
+    /// The variation of the stiffness has the product of both planes' inverse determinants of the flexibility as a factor.
+    /// Where that underflows, a cracked rotor would come out as one that nothing excites.
+    fn check_flexibility(&self, loads: &SectionLoads) -> Result<(), NoCoefficients> {
+        let f = equations::shaft_flexibility(&self.parameters);
+        let c = self.compliance()?;
+        let planes = [
+            equations::flexibility_determinant(&f, loads, c.c11, c.c44),
+            equations::flexibility_determinant(&f, loads, c.c22, c.c33),
+        ];
+        check(
+            &planes.map(|determinant| ("flexibility_determinant", determinant)),
+            |value| (1e-150..=1e150).contains(&value),
+            "from 1e-150 to 1e150 per N²",
+        )
     }
 
     /// Reference speed $\omega_{st} = \sqrt{k_{tt}/m_d}$, rad/s.

@@ -27,6 +27,14 @@ pub enum NoZeroUnstablePoint {
     /// The rotor has no coefficients.
     #[error(transparent)]
     Coefficients(#[from] NoCoefficients),
+    /// Neither crack nor disk excites the region, so that every value of what was asked for closes it.
+    #[error(
+        "the {} is closed everywhere: neither the crack nor the disk's asymmetry excites it", .kind.description()
+    )]
+    ClosedEverywhere {
+        /// The region asked for.
+        kind: RegionKind,
+    },
     /// The changed rotor is not valid.
     #[error(transparent)]
     Rotor(#[from] InvalidRotor),
@@ -40,13 +48,98 @@ pub enum NoZeroUnstablePoint {
 /// # Errors
 /// Where the region does not exist.
 pub fn zup_angle(kind: RegionKind, c: &Coefficients) -> Result<f64, NoRegion> {
-    let speed = region::start(kind, c)?;
-    let omega = match kind {
-        RegionKind::Simple | RegionKind::UpperSimple => speed,
-        RegionKind::Combination => equations::cir_omega(c),
+    region::start(kind, c)?;
+    // The closing asymmetry is that of Eq. (32) at pi/2 in a simple region, at 0 in a combination region, and keeps its
+    // sign where displacement and tilt are nearly uncoupled. The raw excitations lose theirs there, as H or its partner
+    // goes to zero.
+    let closing = match region::zup_asymmetry(kind, c) {
+        Ok(closing) => closing,
+        Err(NoRegion::Uncoupled { .. }) => return Ok(FRAC_PI_2),
+        Err(reason) => return Err(reason),
     };
-    let product = equations::theta_1(omega, speed, c) * equations::theta_2(omega, speed, c);
-    Ok(if product < 0.0 { 0.0 } else { FRAC_PI_2 })
+    let product = closing * c.disk_asymmetry;
+    let at_zero = match kind {
+        RegionKind::Simple | RegionKind::UpperSimple => product < 0.0,
+        RegionKind::Combination => product > 0.0,
+    };
+    Ok(if at_zero { 0.0 } else { FRAC_PI_2 })
+}
+
+/// The crack angles $\phi \in [0, \pi)$ that close the region of this rotor: none, or the one of [`zup_angle`] where the
+/// excitations of crack and disk are equally large, $|\Theta_1| = |\Theta_2|$ in Eq. (25), to within their rounding. The
+/// rotor's own angle does not matter.
+///
+/// # Errors
+/// Where the region does not exist, and where it is closed at every angle because nothing excites it.
+pub fn zup_crack_angle(
+    rotor: &Rotor,
+    kind: RegionKind,
+) -> Result<Vec<ZeroUnstablePoint>, NoZeroUnstablePoint> {
+    let c = rotor.coefficients()?;
+    let angle = zup_angle(kind, &c)?;
+    let closing = match region::zup_asymmetry(kind, &c) {
+        Ok(closing) => closing,
+        // The disk takes no part: only a region that is closed at every angle is closed at one.
+        Err(NoRegion::Uncoupled { .. }) if region::width(kind, &c)? == 0.0 => {
+            return Err(NoZeroUnstablePoint::ClosedEverywhere { kind });
+        }
+        Err(NoRegion::Uncoupled { .. }) => return Ok(vec![]),
+        Err(reason) => return Err(reason.into()),
+    };
+    if closing == 0.0 && c.disk_asymmetry == 0.0 {
+        return Err(NoZeroUnstablePoint::ClosedEverywhere { kind });
+    }
+    let apart = (closing.abs() - c.disk_asymmetry.abs()).abs();
+    let closed = apart <= closing_rounding(kind, &c);
+    Ok(if closed {
+        vec![ZeroUnstablePoint {
+            value: angle,
+            crack_angle: angle,
+        }]
+    } else {
+        vec![]
+    })
+}
+
+/// A bound on the rounding error of the closing asymmetry, Eq. (32): that of each term of its numerator and denominator,
+/// with the rounding of the frequencies in them, which are right to some ten roundings each.
+fn closing_rounding(kind: RegionKind, c: &Coefficients) -> f64 {
+    let (omega, speed, excess) = match kind {
+        RegionKind::Simple => {
+            let speed = equations::sir_start::value(c);
+            (speed, speed, 1.0)
+        }
+        RegionKind::UpperSimple => {
+            let speed = equations::upper_sir_start::value(c);
+            (speed, speed, 1.0)
+        }
+        RegionKind::Combination => (
+            equations::cir_omega::value(c),
+            equations::cir_start::value(c),
+            2.0,
+        ),
+    };
+    let partner = 2.0 * speed - omega;
+    // The sizes of the terms of H and G, and what is left of them.
+    let sizes = |omega: f64| {
+        let h = 1.0 + omega * omega;
+        let g = c.delta + omega * omega + c.beta * speed * omega;
+        [h, g]
+    };
+    let [h_size, g_size] = sizes(omega);
+    let [h_bar_size, g_bar_size] = sizes(partner);
+    let (h_most, g_most) = (h_size.max(h_bar_size), g_size.max(g_bar_size));
+    let numerator = c.epsilon_1.abs() * g_most
+        + c.epsilon_12.abs() * (c.gamma.powi(2) + h_most * g_most)
+        + (c.epsilon_2 * c.delta).abs() * h_most
+        + c.disk_asymmetry.abs() * omega * partner * h_most;
+    let (h, h_bar) = (equations::transverse(omega), equations::transverse(partner));
+    let left = if kind == RegionKind::Combination {
+        h - h_bar
+    } else {
+        equations::coupled_transverse(h, equations::tilting(omega, speed, c), c)
+    };
+    CLOSING_ROUNDINGS * excess * f64::EPSILON * numerator / (omega * partner * left).abs()
 }
 
 /// The depths $\sigma \in (0, 1]$ of the rotor's crack at which the region closes at the crack angle
@@ -71,7 +164,7 @@ pub fn zup_depth(
 /// angle do not matter. The search has the resolution of [`zup_depth`].
 ///
 /// # Errors
-/// Where the region exists at no position.
+/// Where the region exists at no position, and where without crack and asymmetry it is closed at all of them.
 pub fn zup_position(
     rotor: &Rotor,
     kind: RegionKind,
@@ -99,6 +192,8 @@ const NEAR_SUPPORT: f64 = 1e-6;
 /// How far from $\pm\Delta_d$ the closing asymmetry of an accepted root may be. At a pole or a jump
 /// it is far off; at a root found to the last digit it is wrong by rounding times the slope.
 const ACCEPTED: f64 = 1e-9;
+/// Roundings of each term of the closing asymmetry: ten in each frequency, and its operations.
+const CLOSING_ROUNDINGS: f64 = 32.0;
 
 fn search(
     rotor: &Rotor,
@@ -125,6 +220,10 @@ fn search(
     }
     if let (true, Some(reason)) = (samples.iter().all(Option::is_none), first_reason) {
         return Err(reason);
+    }
+    let no_excitation = |&(_, _, closing): &(f64, f64, f64)| closing == 0.0;
+    if asymmetry == 0.0 && samples.iter().flatten().all(no_excitation) {
+        return Err(NoZeroUnstablePoint::ClosedEverywhere { kind });
     }
     let mut points = Vec::new();
     let signed = if asymmetry == 0.0 {
@@ -252,6 +351,65 @@ mod tests {
     fn a_symmetric_disk_is_not_closed_by_no_crack() {
         let rotor = paper(|p| p.disk_asymmetry = 0.0);
         assert_eq!(zup_depth(&rotor, RegionKind::Simple), Ok(vec![]));
+    }
+
+    #[test]
+    fn without_crack_and_asymmetry_it_is_closed_everywhere() {
+        let rotor = paper(|p| (p.disk_asymmetry, p.crack_depth_ratio) = (0.0, 0.0));
+        for kind in [RegionKind::Simple, RegionKind::Combination] {
+            let closed = Err(NoZeroUnstablePoint::ClosedEverywhere { kind });
+            assert_eq!(zup_position(&rotor, kind), closed);
+            assert_eq!(zup_crack_angle(&rotor, kind), closed);
+        }
+        let cracked = paper(|p| p.disk_asymmetry = 0.0);
+        assert_eq!(zup_position(&cracked, RegionKind::Simple), Ok(vec![]));
+    }
+
+    #[test]
+    fn an_angle_closes_only_a_balanced_region() {
+        for asymmetry in [0.2, -0.2, 0.03] {
+            for kind in [RegionKind::Simple, RegionKind::Combination] {
+                let rotor = paper(|p| p.disk_asymmetry = asymmetry);
+                assert_eq!(zup_crack_angle(&rotor, kind), Ok(vec![]));
+                let [depth] = zup_depth(&rotor, kind).unwrap()[..] else {
+                    panic!("one depth")
+                };
+                let at = |depth: f64| rotor.with(|p| p.crack_depth_ratio = depth).unwrap();
+                let angle = depth.crack_angle;
+                let expected = ZeroUnstablePoint {
+                    value: angle,
+                    crack_angle: angle,
+                };
+                assert_eq!(zup_crack_angle(&at(depth.value), kind), Ok(vec![expected]));
+                assert_eq!(
+                    zup_crack_angle(&at(depth.value * (1.0 + 1e-11)), kind),
+                    Ok(vec![])
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn the_quarter_is_right_for_a_weak_coupling() {
+        let c = Coefficients {
+            beta: 1.998_670_944_384_197_7,
+            gamma: 8.941_485_234_378_048e-6,
+            delta: 0.084_423_679_518_234_29,
+            epsilon_1: 0.140_583_763_107_910_32,
+            epsilon_12: 0.141_283_001_539_582_95,
+            epsilon_2: -0.315_866_536_880_657_9,
+            disk_asymmetry: 0.159_540_986_298_811_42,
+            crack_angle: 0.0,
+        };
+        for kind in [RegionKind::Simple, RegionKind::Combination] {
+            let width =
+                |crack_angle: f64| region::width(kind, &Coefficients { crack_angle, ..c }).unwrap();
+            let angle = zup_angle(kind, &c).unwrap();
+            assert!(
+                width(angle) <= width(FRAC_PI_2 - angle),
+                "{kind} at {angle}"
+            );
+        }
     }
 
     #[test]

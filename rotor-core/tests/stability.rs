@@ -4,11 +4,10 @@ use std::error::Error;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
 use approx::assert_relative_eq;
-use nalgebra::DMatrix;
 use rotor_core::equations::Coefficients;
 use rotor_core::region::{self, RegionKind, exact_ends};
 use rotor_core::stability::{
-    Ends, Harmonic, PeriodicSystem, StabilityError, combination_ends, growth_rate, hill, monodromy,
+    Ends, PeriodicSystem, StabilityError, combination_ends, growth_rate, hill, monodromy,
     simple_region_ends, squared_offsets, whirl_frequencies,
 };
 
@@ -439,107 +438,6 @@ fn nothing_grows_below_the_first_simple_region() -> TestResult {
     Ok(())
 }
 
-/// y'' + (a − 2q cos 2t) y = 0.
-fn mathieu(a: f64, q: f64) -> Result<PeriodicSystem, StabilityError> {
-    let number = |x| DMatrix::from_element(1, 1, x);
-    let stiffness = Harmonic {
-        cosine: number(-2.0 * q),
-        ..Harmonic::constant(number(a))
-    };
-    PeriodicSystem::new(
-        2.0,
-        Harmonic::constant(number(1.0)),
-        Harmonic::constant(number(0.0)),
-        stiffness,
-    )
-}
-
-#[test]
-fn mathieus_equation_changes_stability_at_its_characteristic_values() -> TestResult {
-    // (q, value, 1 if it becomes stable with growing a, else −1), DLMF section 28.
-    for (q, value, side) in [
-        (1.0, -0.4551386041, 1.0),
-        (1.0, -0.1102488170, -1.0),
-        (1.0, 1.8591080725, 1.0),
-        (1.0, 3.9170247730, -1.0),
-        (1.0, 4.3713009827, 1.0),
-        (5.0, -5.8000460209, 1.0),
-        (5.0, -5.7900805986, -1.0),
-        (5.0, 1.8581875415, 1.0),
-        (5.0, 2.0994604455, -1.0),
-        (5.0, 7.4491097395, 1.0),
-    ] {
-        let stable = mathieu(value + side * 1e-8, q)?;
-        let unstable = mathieu(value - side * 1e-8, q)?;
-        for (way, quiet, growing) in [
-            (
-                "Hill",
-                hill::growth_rate(&stable, 12)?,
-                hill::growth_rate(&unstable, 12)?,
-            ),
-            (
-                "monodromy",
-                monodromy::growth_rate(&stable, 1e-13)?,
-                monodromy::growth_rate(&unstable, 1e-13)?,
-            ),
-        ] {
-            assert!(quiet.abs() < 1e-9, "{way} q={q} a={value}: {quiet:e}");
-            assert!(growing > 1e-5, "{way} q={q} a={value}: {growing:e}");
-        }
-    }
-    Ok(())
-}
-
-#[test]
-fn hills_method_converges_with_the_harmonics_on_mathieus_equation() -> TestResult {
-    for (a, q) in [
-        (1.0, 1.0),
-        (4.0, 1.0),
-        (-3.0, 5.0),
-        (30.0, 5.0),
-        (1.5, 20.0),
-    ] {
-        let system = mathieu(a, q)?;
-        let floquet = monodromy::growth_rate(&system, 1e-13)?;
-        assert_relative_eq!(hill::growth_rate(&system, 14)?, floquet, epsilon = 1e-9);
-        assert_relative_eq!(hill::growth_rate(&system, 20)?, floquet, epsilon = 1e-9);
-    }
-    Ok(())
-}
-
-#[test]
-fn the_damped_asymmetric_shaft_ends_where_its_closed_form_does() -> TestResult {
-    // (k₁ − Ω²)(k₂ − Ω²) + c²Ω² = 0 with k = 0.9 and 1.1, c = 0.04.
-    let growth = |speed: f64| -> Result<[f64; 2], StabilityError> {
-        let two = |rows: [f64; 4]| DMatrix::from_row_slice(2, 2, &rows);
-        let system = PeriodicSystem::new(
-            2.0 * speed,
-            Harmonic::constant(DMatrix::identity(2, 2)),
-            Harmonic::constant(DMatrix::identity(2, 2) * 0.04),
-            Harmonic {
-                constant: DMatrix::identity(2, 2),
-                cosine: two([-0.1, 0.0, 0.0, 0.1]),
-                sine: two([0.0, -0.1, -0.1, 0.0]),
-            },
-        )?;
-        Ok([
-            hill::growth_rate(&system, 2)?,
-            monodromy::growth_rate(&system, 1e-13)?,
-        ])
-    };
-    for end in [0.9526515600, 1.0444400439] {
-        for rate in growth(end)? {
-            assert!(rate.abs() < 1e-9, "{end}: {rate:e}");
-        }
-    }
-    for (speed, sign) in [(0.95, -1.0), (1.0, 1.0), (1.05, -1.0)] {
-        let [by_hill, by_monodromy] = growth(speed)?;
-        assert!(by_hill * sign > 0.0, "{speed}: {by_hill}");
-        assert_relative_eq!(by_hill, by_monodromy, epsilon = 1e-11);
-    }
-    Ok(())
-}
-
 #[test]
 fn whirl_frequencies_interlace_and_satisfy_vieta() -> TestResult {
     for row in random_rotors()? {
@@ -635,29 +533,6 @@ fn rotors_without_regions_are_refused_by_name() -> TestResult {
 }
 
 #[test]
-fn periodic_systems_are_checked() -> TestResult {
-    let system = PeriodicSystem::rotor(&paper(0.0), 1.0)?;
-    for harmonics in [0, 1001, usize::MAX] {
-        assert!(hill::growth_rate(&system, harmonics).is_err());
-    }
-    for tolerance in [0.0, 1e-17, f64::NAN] {
-        assert!(monodromy::growth_rate(&system, tolerance).is_err());
-    }
-    let square = |size| Harmonic::constant(DMatrix::identity(size, size));
-    assert!(matches!(
-        PeriodicSystem::new(1.0, square(2), square(3), square(2)),
-        Err(StabilityError::Shape {
-            matrix: "damping",
-            rows: 3,
-            columns: 3,
-            expected: 2
-        })
-    ));
-    assert!(PeriodicSystem::new(0.0, square(2), square(2), square(2)).is_err());
-    Ok(())
-}
-
-#[test]
 fn an_end_at_which_a_minor_vanishes_is_no_end() -> TestResult {
     // Newton's iteration on D Φ finds a zero of D and Φ where no two roots meet, if it is let.
     let c = Coefficients {
@@ -673,5 +548,42 @@ fn an_end_at_which_a_minor_vanishes_is_no_end() -> TestResult {
     let start = region::start(RegionKind::Combination, &c)?;
     let ends = combination_ends(&c, start)?;
     assert_relative_eq!(ends.upper, 1.252_697_144_767_602_6, max_relative = 1e-13);
+    Ok(())
+}
+
+#[test]
+fn whirl_frequencies_at_any_speed() -> TestResult {
+    let c = paper(0.0);
+    let reserve = c.delta - c.gamma * c.gamma;
+    for speed in [1e6, 1e9, 1e13, 1e20, 1e100, 1e300] {
+        for speed in [speed, -speed] {
+            let [w1, w2, w3, w4] = whirl_frequencies(&c, speed)?;
+            let whirls = if speed > 0.0 {
+                [w1, w2, w3, w4]
+            } else {
+                [-w4, -w3, -w2, -w1]
+            };
+            // βΩ, ±1 and −C/(βΩ), each to the next order in 1/Ω.
+            let fast = c.beta * speed.abs();
+            let expected = [fast, 1.0, -reserve / fast, -1.0];
+            for (found, expected) in whirls.into_iter().zip(expected) {
+                assert_relative_eq!(found, expected, max_relative = 1e-15 + 2.0 / fast);
+            }
+        }
+    }
+    assert!(whirl_frequencies(&c, 1.7e308).is_err());
+    // A nearly uncoupled rotor, and one that is uncoupled: displacement has ±1 exactly.
+    for gamma in [1e-3, 1e-9, 1e-100, 0.0] {
+        for speed in [-3.0, 0.0, 0.2, 40.0] {
+            let found = whirl_frequencies(&uncracked(0.7, gamma, 0.3, 0.0), speed)?;
+            let rounding = if gamma == 0.0 {
+                0.0
+            } else {
+                2.0 * f64::EPSILON
+            };
+            let near = |place: f64| found.iter().any(|w| (w - place).abs() <= gamma + rounding);
+            assert!(near(1.0) && near(-1.0), "{gamma} {speed}: {found:?}");
+        }
+    }
     Ok(())
 }

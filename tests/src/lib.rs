@@ -10,6 +10,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use rotor_core::equations::Coefficients;
 use rotor_core::rotor::{INPUTS, RotorParameters};
 
 /// A row of a table: cells by the names of their columns.
@@ -58,6 +59,23 @@ pub fn parameters(record: &Record) -> RotorParameters {
         parameters.crack_model = model.parse().expect("a crack model");
     }
     parameters
+}
+
+/// The dimensionless numbers in the columns of their names.
+///
+/// # Panics
+/// Where one of them has no column, or no number in it.
+pub fn coefficients(row: &Record) -> Coefficients {
+    Coefficients {
+        beta: number(row, "beta"),
+        gamma: number(row, "gamma"),
+        delta: number(row, "delta"),
+        epsilon_1: number(row, "epsilon_1"),
+        epsilon_12: number(row, "epsilon_12"),
+        epsilon_2: number(row, "epsilon_2"),
+        disk_asymmetry: number(row, "disk_asymmetry"),
+        crack_angle: number(row, "crack_angle"),
+    }
 }
 
 /// How far `value` is from `expected`, in units of `expected`; 0 where both are 0.

@@ -24,30 +24,48 @@ fn the_main_formulas_take_as_many_operations_as_ever() {
     assert_eq!(
         counts,
         "\
-phi::value: 27 add, 40 mul, 0 div, 0 sqrt, 1 call
-phi::gradient: 52 add, 78 mul, 0 div, 0 sqrt, 1 call
-phi::hessian: 131 add, 181 mul, 0 div, 0 sqrt, 1 call
-phi_on_sir::value: 19 add, 30 mul, 0 div, 0 sqrt, 1 call
-phi_on_sir::gradient: 32 add, 52 mul, 0 div, 0 sqrt, 1 call
-sir_width::value: 20 add, 26 mul, 3 div, 2 sqrt, 2 call
-sir_width::gradient: 52 add, 97 mul, 7 div, 3 sqrt, 2 call
-cir_width::value: 38 add, 63 mul, 2 div, 4 sqrt, 2 call
-cir_width::gradient: 113 add, 229 mul, 7 div, 4 sqrt, 2 call
+phi::value: 28 add, 41 mul, 0 div, 0 sqrt, 1 call
+phi::gradient: 53 add, 79 mul, 0 div, 0 sqrt, 1 call
+phi::hessian: 132 add, 178 mul, 0 div, 0 sqrt, 1 call
+phi_on_sir::value: 20 add, 31 mul, 0 div, 0 sqrt, 1 call
+phi_on_sir::gradient: 33 add, 53 mul, 0 div, 0 sqrt, 1 call
+sir_width::value: 19 add, 25 mul, 3 div, 2 sqrt, 2 call
+sir_width::gradient: 48 add, 75 mul, 6 div, 3 sqrt, 2 call
+cir_width::value: 38 add, 61 mul, 2 div, 4 sqrt, 2 call
+cir_width::gradient: 118 add, 229 mul, 9 div, 4 sqrt, 2 call
 "
     );
 }
 
+/// Functions whose gradients by all inputs take long to make; two of them stand for all.
+const LONG: [&str; 3] = [
+    "widths_midspan_arm",
+    "widths_simply_supported_left",
+    "widths_simply_supported_right",
+];
+
 #[test]
 fn it_is_formatted_as_rustfmt_does() {
     let mut module = show::module(equations::SOURCE).unwrap();
-    for name in ["f_n", "phi", "phi_on_sir", "sir_width", "cir_width"] {
-        let text = show::rust(&mut module, name).unwrap();
+    let names: Vec<String> = module
+        .function_names()
+        .into_iter()
+        .filter(|name| !LONG.contains(&name.as_str()))
+        .collect();
+    let mut shown = 0;
+    for name in names {
+        // What holds an integral has no code.
+        let Ok(text) = show::rust(&mut module, &name) else {
+            continue;
+        };
+        shown += 1;
         let formatted = rustfmt(&text);
         assert!(
             text == formatted,
             "rustfmt would change\n{text}to\n{formatted}"
         );
     }
+    assert!(shown > 40, "{shown} functions");
 }
 
 /// The text as rustfmt writes it.

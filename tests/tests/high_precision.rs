@@ -118,29 +118,56 @@ impl Number for Precise {
 }
 
 /// Points of the model that share no symmetry; the numbers are exact in `f64`, so that all ways start from the same.
-fn coefficients() -> [Coefficients; 2] {
+fn coefficients() -> [Coefficients; 6] {
     [
-        Coefficients {
-            beta: 1.5,
-            gamma: 0.4375,
-            delta: 0.84375,
-            epsilon_1: 0.03125,
-            epsilon_12: 0.0234375,
-            epsilon_2: 0.015625,
-            disk_asymmetry: 0.203125,
-            crack_angle: 0.6875,
-        },
-        Coefficients {
-            beta: 0.5625,
-            gamma: -0.8125,
-            delta: 1.78125,
-            epsilon_1: 0.0078125,
-            epsilon_12: -0.01171875,
-            epsilon_2: 0.029296875,
-            disk_asymmetry: -0.140625,
-            crack_angle: 2.125,
-        },
+        [
+            1.5, 0.4375, 0.84375, 0.03125, 0.0234375, 0.015625, 0.203125, 0.6875,
+        ],
+        [
+            0.5625,
+            -0.8125,
+            1.78125,
+            0.0078125,
+            -0.01171875,
+            0.029296875,
+            -0.140625,
+            2.125,
+        ],
+        // A flat disk, a slender one, two whirls that come close, a strong excitation.
+        [
+            1.90625, -0.90625, 1.5625, 0.125, 0.140625, 0.09375, 0.1875, 0.375,
+        ],
+        [
+            0.140625, 0.625, 0.71875, -0.15625, 0.046875, 0.109375, 0.0625, -1.28125,
+        ],
+        [
+            0.625, 0.0625, 0.4375, 0.03125, -0.28125, 0.0546875, -0.21875, 0.8125,
+        ],
+        [
+            1.25, 1.4375, 2.75, 0.34375, 0.28125, -0.40625, 0.46875, -2.65625,
+        ],
     ]
+    .map(
+        |[
+            beta,
+            gamma,
+            delta,
+            epsilon_1,
+            epsilon_12,
+            epsilon_2,
+            disk_asymmetry,
+            crack_angle,
+        ]| Coefficients {
+            beta,
+            gamma,
+            delta,
+            epsilon_1,
+            epsilon_12,
+            epsilon_2,
+            disk_asymmetry,
+            crack_angle,
+        },
+    )
 }
 
 const OMEGA: f64 = 0.71875;

@@ -4,6 +4,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::piecewise::PiecewisePolynomial;
+use crate::cost::Cost;
 use crate::emit::literal::float;
 
 impl PiecewisePolynomial {
@@ -118,7 +119,25 @@ impl PiecewisePolynomial {
         });
         lines.push(format!(" {slope}"));
         lines.push(" Outside that interval the outer piece is continued.".to_owned());
+        lines.push(String::new());
+        lines.push(self.counts());
         lines
+    }
+}
+
+impl PiecewisePolynomial {
+    /// What one evaluation does: the place within the piece, and Horner's rule.
+    fn counts(&self) -> String {
+        let cost = Cost {
+            add: self.degree() + 1,
+            mul: self.degree() + 1,
+            ..Cost::default()
+        };
+        match self.coefficients().len() - 1 {
+            0 => format!(" Operations: {cost}."),
+            1 => format!(" Operations: {cost}; 1 comparison finds the piece."),
+            inner => format!(" Operations: {cost}; {inner} comparisons find the piece."),
+        }
     }
 }
 

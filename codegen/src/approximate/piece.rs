@@ -15,6 +15,10 @@ const NOISE_BEGINS: usize = 2 * NODES;
 /// A coefficient is signal if it is above the noise by this factor.
 const SIGNAL: f64 = 2.0;
 
+/// Number of further points at which a piece is checked. They have no pattern in common with the nodes, so that a function
+/// cannot be right at all of the nodes by a symmetry or period of its own.
+const FREE_POINTS: u32 = 16;
+
 /// Distance of the outermost check points from the ends of a piece, in half widths.
 ///
 /// An end itself may be a removable singularity of the function, 0/0, and is never evaluated.
@@ -31,12 +35,12 @@ pub(super) struct Draft {
 impl Draft {
     /// Samples the function at 13 nodes.
     pub(super) fn sample<E>(
-        function: &mut dyn FnMut(f64) -> Result<f64, E>,
+        function: &mut Sampled<'_, E>,
         lower: f64,
         upper: f64,
     ) -> Result<Self, FitError<E>> {
         let nodes = chebyshev::roots(NODES);
-        let sample = |t| evaluate(function, at(lower, upper, t));
+        let sample = |t| function.at(at(lower, upper, t));
         Ok(Self {
             lower,
             upper,
@@ -65,10 +69,7 @@ impl Draft {
     }
 
     /// Samples the points between the nodes and next to the ends.
-    pub(super) fn complete<E>(
-        self,
-        function: &mut dyn FnMut(f64) -> Result<f64, E>,
-    ) -> Result<Piece, FitError<E>> {
+    pub(super) fn complete<E>(self, function: &mut Sampled<'_, E>) -> Result<Piece, FitError<E>> {
         let Self {
             lower,
             upper,
@@ -79,13 +80,14 @@ impl Draft {
         for (index, &t) in points.iter().enumerate() {
             values.push(match known.get(index / 3) {
                 Some(&value) if index % 3 == 1 => value,
-                _ => evaluate(function, at(lower, upper, t))?,
+                _ => function.at(at(lower, upper, t))?,
             });
         }
         let series = chebyshev::coefficients(&values);
         let mut samples: Vec<(f64, f64)> = points.into_iter().zip(values).collect();
-        for t in [END_DISTANCE - 1.0, 1.0 - END_DISTANCE] {
-            samples.push((t, evaluate(function, at(lower, upper, t))?));
+        let ends = [END_DISTANCE - 1.0, 1.0 - END_DISTANCE];
+        for t in ends.into_iter().chain(free_points(lower, upper)) {
+            samples.push((t, function.at(at(lower, upper, t))?));
         }
         for (t, _) in &mut samples {
             // The abscissa was rounded, so t is taken back from it as an evaluation will.
@@ -213,20 +215,53 @@ impl Piece {
     }
 }
 
+/// Points of (−1, 1) without a pattern, the same for the same interval.
+fn free_points(lower: f64, upper: f64) -> impl Iterator<Item = f64> {
+    let start = lower.to_bits() ^ upper.to_bits().rotate_left(32);
+    (1..=FREE_POINTS).map(move |count| {
+        // The finaliser of splitmix64.
+        let mut bits = start.wrapping_add(u64::from(count).wrapping_mul(0x9e37_79b9_7f4a_7c15));
+        bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        let unit = ((bits ^ (bits >> 31)) >> 11) as f64 / (1_u64 << 53) as f64;
+        (1.0 - END_DISTANCE) * (2.0 * unit - 1.0)
+    })
+}
+
 /// The abscissa that belongs to $t$ on an interval.
 fn at(lower: f64, upper: f64, t: f64) -> f64 {
     0.5 * (lower + upper) + 0.5 * (upper - lower) * t
 }
 
-/// The function's value, which must be finite.
-fn evaluate<E>(
-    function: &mut dyn FnMut(f64) -> Result<f64, E>,
-    x: f64,
-) -> Result<f64, FitError<E>> {
-    let value = function(x).map_err(|source| FitError::Function { x, source })?;
-    if value.is_finite() {
+/// A function that a fit may be made of: finite, and of one sign.
+pub(super) struct Sampled<'f, E> {
+    function: &'f mut dyn FnMut(f64) -> Result<f64, E>,
+    /// The first point and the sign there.
+    first: Option<(f64, f64)>,
+}
+
+impl<'f, E> Sampled<'f, E> {
+    pub(super) fn new(function: &'f mut dyn FnMut(f64) -> Result<f64, E>) -> Self {
+        Self {
+            function,
+            first: None,
+        }
+    }
+
+    /// The function's value.
+    fn at(&mut self, x: f64) -> Result<f64, FitError<E>> {
+        let value = (self.function)(x).map_err(|source| FitError::Function { x, source })?;
+        if !value.is_finite() {
+            return Err(FitError::NotFinite { x, value });
+        }
+        let (first, sign) = *self.first.get_or_insert((x, value.signum()));
+        if value == 0.0 {
+            return Err(FitError::Zero { left: x, right: x });
+        }
+        if value.signum() != sign {
+            let (left, right) = (x.min(first), x.max(first));
+            return Err(FitError::Zero { left, right });
+        }
         Ok(value)
-    } else {
-        Err(FitError::NotFinite { x, value })
     }
 }

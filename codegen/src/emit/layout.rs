@@ -54,6 +54,18 @@ pub(super) fn as_rustfmt(text: &str) -> String {
                 &format!("{line}{}{end}", elements.trim_end_matches(',')),
                 &mut output,
             );
+        } else if let Some(value) = open_binding(line) {
+            let rest: Vec<&str> = lines
+                .by_ref()
+                .take_while_inclusive(|line| !line.ends_with(';'))
+                .collect();
+            binding(line, value, &rest, &mut output);
+        } else if line.trim_start().strip_suffix(" {").is_some_and(is_path) {
+            let rest: Vec<&str> = lines
+                .by_ref()
+                .take_while_inclusive(|inner| indent_of(inner) > indent_of(line))
+                .collect();
+            fields(line, &rest, &mut output);
         } else if let Some(lines) = choice(line) {
             lines.iter().for_each(|line| push(line, &mut output));
         } else {
@@ -80,6 +92,52 @@ fn choice(line: &str) -> Option<[String; 5]> {
             format!("{outer}}};"),
         ]
     })
+}
+
+/// The first part of a value that goes on on further lines.
+fn open_binding(line: &str) -> Option<&str> {
+    let (_, value) = line.trim_start().strip_prefix("let ")?.split_once(" = ")?;
+    let closed = line.ends_with([';', '{', '(', '[', ',']);
+    (!closed).then_some(value)
+}
+
+/// A sum or product on one line, or on a line of its own behind the binding, if it fits; it was broken for a narrower line.
+fn binding(line: &str, value: &str, rest: &[&str], output: &mut String) {
+    let words: Vec<&str> = std::iter::once(value)
+        .chain(rest.iter().map(|line| line.trim()))
+        .collect();
+    let value_on_one = words.join(" ");
+    let head = line.strip_suffix(value).unwrap_or(line);
+    let below = format!("{}    {value_on_one}", " ".repeat(indent_of(line)));
+    if head.chars().count() + value_on_one.chars().count() <= LINE {
+        push(&format!("{head}{value_on_one}"), output);
+    } else if below.chars().count() <= LINE {
+        push(head.trim_end(), output);
+        push(&below, output);
+    } else {
+        push(line, output);
+        rest.iter().for_each(|line| push(line, output));
+    }
+}
+
+/// A struct's fields on one line where they are short.
+fn fields(head: &str, rest: &[&str], output: &mut String) {
+    let (end, inner) = rest
+        .split_last()
+        .map_or(("", rest), |(end, inner)| (*end, inner));
+    let joined: Vec<&str> = inner.iter().map(|line| line.trim()).collect();
+    let joined = joined.join(" ");
+    let joined = joined.trim_end_matches(',');
+    if joined.chars().count() <= FIELDS {
+        push(&format!("{head} {joined} {}", end.trim_start()), output);
+    } else {
+        push(head, output);
+        output.push_str(&as_rustfmt(&rest.join("\n")));
+    }
+}
+
+fn indent_of(line: &str) -> usize {
+    line.len() - line.trim_start().len()
 }
 
 trait TakeWhileInclusive<'a>: Iterator<Item = &'a str> {

@@ -2,11 +2,11 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use num_traits::Signed;
+use num_traits::{One, Signed};
 use proc_macro2::{Ident, Span};
 
 use crate::factor::circuit::{Circuit, Net, Operation};
-use crate::graph::{Function, Graph, SymbolId};
+use crate::graph::{Function, Graph, Rational, SymbolId, ratio, whole};
 use crate::parse::body::identifier;
 
 /// The longest name that is made from others.
@@ -16,6 +16,10 @@ pub const LONGEST: usize = 24;
 pub struct Namer {
     taken: BTreeSet<String>,
     names: BTreeMap<Net, String>,
+    /// Names that say no more than the kind of their operation.
+    plain: BTreeSet<Net>,
+    /// For each operation the named one that it is for, where there is one alone; made at the first question.
+    purposes: Option<Vec<Option<String>>>,
     counter: BTreeMap<&'static str, usize>,
 }
 
@@ -25,6 +29,8 @@ impl Namer {
         Self {
             taken: taken.into_iter().collect(),
             names: BTreeMap::new(),
+            plain: BTreeSet::new(),
+            purposes: None,
             counter: BTreeMap::new(),
         }
     }
@@ -44,7 +50,13 @@ impl Namer {
             .or_else(|| self.describe(graph, circuit, net));
         let name = match wish {
             Some(wish) => self.unique(&wish),
-            None => self.numbered(kind(circuit.operation(net))),
+            None => {
+                self.plain.insert(net);
+                match self.purpose(circuit, net) {
+                    Some(purpose) => self.unique(&purpose),
+                    None => self.numbered(kind(circuit.operation(net))),
+                }
+            }
         };
         let ident = Ident::new(&name, Span::call_site());
         self.names.insert(net, name);
@@ -70,6 +82,14 @@ impl Namer {
         self.unique(&wish)
     }
 
+    /// A name after the one result or named number that an operation is for.
+    fn purpose(&mut self, circuit: &Circuit, net: Net) -> Option<String> {
+        let purposes = self.purposes.get_or_insert_with(|| purposes(circuit));
+        let purpose = purposes.get(net.index())?.as_ref()?;
+        let name = format!("{purpose}_{}", kind(circuit.operation(net)));
+        (name.len() <= LONGEST).then_some(name)
+    }
+
     /// What an operand is called within other names.
     fn part(&self, graph: &Graph, circuit: &Circuit, net: Net) -> Option<String> {
         match circuit.operation(net) {
@@ -78,13 +98,49 @@ impl Namer {
         }
     }
 
+    /// Whether one name among these says more than the kind of its operation; several that do not say nothing together.
+    fn is_telling(&self, operands: &[Net]) -> bool {
+        operands.iter().any(|net| !self.plain.contains(net))
+    }
+
+    fn describe_sum(
+        &self,
+        graph: &Graph,
+        circuit: &Circuit,
+        terms: &[(Net, Rational)],
+    ) -> Option<String> {
+        let word = |net: Net| match circuit.as_number(net) {
+            Some(number) => number.is_one().then(|| "one".to_owned()),
+            None => self.part(graph, circuit, net),
+        };
+        match terms {
+            [(x, a)] if *a == whole(2) => Some(format!("twice_{}", word(*x)?)),
+            [(x, a)] if *a == ratio(1, 2) => Some(format!("half_{}", word(*x)?)),
+            [(x, a), (y, b)] if a.abs().is_one() && b.abs().is_one() => {
+                let (first, second) = if a.is_positive() { (x, y) } else { (y, x) };
+                let sign = match (a.is_positive(), b.is_positive()) {
+                    (true, true) => "plus",
+                    (false, false) => return None,
+                    _ => "minus",
+                };
+                let name = || Some(format!("{}_{sign}_{}", word(*first)?, word(*second)?));
+                self.is_telling(&[*x, *y]).then(name)?
+            }
+            _ => None,
+        }
+    }
+
     fn describe(&self, graph: &Graph, circuit: &Circuit, net: Net) -> Option<String> {
         let part = |net: Net| self.part(graph, circuit, net);
+        let telling = |operands: &[Net]| self.is_telling(operands);
         let name = match circuit.operation(net) {
             Operation::Product(factors) => match factors.as_slice() {
                 [(x, 2)] => format!("{}_squared", part(*x)?),
                 [(x, 3)] => format!("{}_cubed", part(*x)?),
-                [(x, 1), (y, 1)] => format!("{}_{}", part(*x)?, part(*y)?),
+                [(x, 1), (y, 1)] if telling(&[*x, *y]) => format!("{}_{}", part(*x)?, part(*y)?),
+                [(x, 1), (y, 1), (z, 1)] if telling(&[*x, *y, *z]) => {
+                    format!("{}_{}_{}", part(*x)?, part(*y)?, part(*z)?)
+                }
                 _ => return None,
             },
             Operation::Quotient(numerator, denominator)
@@ -92,20 +148,10 @@ impl Namer {
             {
                 format!("inverse_{}", part(*denominator)?)
             }
-            Operation::Quotient(numerator, denominator) => {
+            Operation::Quotient(numerator, denominator) if telling(&[*numerator, *denominator]) => {
                 format!("{}_over_{}", part(*numerator)?, part(*denominator)?)
             }
-            Operation::Sum(terms) => match terms.as_slice() {
-                [(x, a), (y, b)]
-                    if *a == -b
-                        && circuit.as_number(*x).is_none()
-                        && circuit.as_number(*y).is_none() =>
-                {
-                    let (first, second) = if a.is_positive() { (x, y) } else { (y, x) };
-                    format!("{}_minus_{}", part(*first)?, part(*second)?)
-                }
-                _ => return None,
-            },
+            Operation::Sum(terms) => self.describe_sum(graph, circuit, terms)?,
             Operation::Apply(function, operands) => match (function, operands.as_slice()) {
                 (Function::Sqrt, [x]) => format!("root_{}", part(*x)?),
                 (Function::Abs, [x]) => format!("size_{}", part(*x)?),
@@ -123,10 +169,35 @@ impl Namer {
                     format!("{name}_fit_{order}")
                 }
             }
-            Operation::Number(_) | Operation::Symbol(_) => return None,
+            Operation::Quotient(..) | Operation::Number(_) | Operation::Symbol(_) => return None,
         };
         (name.len() <= LONGEST).then_some(name)
     }
+}
+
+/// For each operation the named operation that all its users lead to, if that is one alone.
+fn purposes(circuit: &Circuit) -> Vec<Option<String>> {
+    let nets: Vec<Net> = circuit.nets().collect();
+    let mut users: Vec<BTreeSet<Option<String>>> = vec![BTreeSet::new(); nets.len()];
+    for output in &circuit.outputs {
+        // What a result is for is said by its own name, where it has one.
+        users[output.index()].insert(None);
+    }
+    let mut purposes = vec![None; nets.len()];
+    for net in nets.into_iter().rev() {
+        let mut of_users = users[net.index()].iter();
+        let alone = of_users.next().cloned().flatten();
+        let purpose = alone.filter(|_| of_users.next().is_none());
+        let passed_on = circuit
+            .suggested_name(net)
+            .map(ToOwned::to_owned)
+            .or(purpose.clone());
+        for operand in circuit.operands(net) {
+            users[operand.index()].insert(passed_on.clone());
+        }
+        purposes[net.index()] = purpose;
+    }
+    purposes
 }
 
 /// The last part of a symbol's path.
@@ -138,6 +209,7 @@ fn short(graph: &Graph, symbol: SymbolId) -> String {
 /// What an operation without a better name is called.
 fn kind(operation: &Operation) -> &'static str {
     match operation {
+        Operation::Sum(terms) if terms.len() == 1 => "multiple",
         Operation::Sum(_) => "sum",
         Operation::Product(_) => "product",
         Operation::Quotient(..) => "quotient",

@@ -7,7 +7,8 @@ use crate::emit::columns;
 use crate::emit::scalar::Form;
 use crate::emit::staged;
 use crate::parse::attributes::StageRequest;
-use crate::parse::module::{Function, Module, Parameter, ParameterKind};
+use crate::parse::module::{Function, Module};
+use crate::parse::numbers;
 
 /// How many numbers a result holds, as its type says.
 enum Numbers {
@@ -73,19 +74,12 @@ fn numbers_of(module: &Module, output: &syn::ReturnType) -> Numbers {
                 .map_or(Numbers::Unknown, counted)
         }
         syn::Type::Path(path) if path.path.is_ident("f64") => Numbers::One,
-        syn::Type::Path(path) => match fields_of(module, path) {
+        ty @ syn::Type::Path(_) => match module.fields_of(ty) {
             Some(fields) => counted(fields.len()),
             None => Numbers::Unknown,
         },
         _ => Numbers::Unknown,
     }
-}
-
-/// The fields of a struct of the module.
-fn fields_of<'m>(module: &'m Module, path: &syn::TypePath) -> Option<&'m [String]> {
-    let last = path.path.segments.last()?;
-    let found = module.structs.iter().find(|(name, _)| last.ident == name);
-    found.map(|(_, fields)| fields.as_slice())
 }
 
 /// The column forms that could not be generated: `Columns` with the fields that the parameters' types tell.
@@ -94,25 +88,7 @@ pub(super) fn column_stubs(
     function: &Function,
     with_gradient: bool,
 ) -> TokenStream {
-    let mut fields = Vec::new();
-    for Parameter { name, kind, ty } in &function.parameters {
-        match kind {
-            ParameterKind::Number => fields.push(name.to_string()),
-            ParameterKind::Array(length) => {
-                fields.extend((0..*length).map(|position| format!("{name}[{position}]")));
-            }
-            ParameterKind::Struct => {
-                let ty = match ty {
-                    syn::Type::Reference(reference) => reference.elem.as_ref(),
-                    ty => ty,
-                };
-                if let syn::Type::Path(path) = ty {
-                    let known = fields_of(module, path).unwrap_or_default();
-                    fields.extend(known.iter().map(|field| format!("{name}.{field}")));
-                }
-            }
-        }
-    }
+    let fields = numbers::known(module, function);
     let inputs = columns::inputs_type(&fields);
     let names = ["columns", "gradient_columns"];
     let names = names.iter().take(1 + usize::from(with_gradient));

@@ -47,6 +47,40 @@ pub enum Operation {
     },
 }
 
+impl Operation {
+    /// The same operation on other operands.
+    fn with_operands(self, image: impl Fn(&Net) -> Net) -> Self {
+        match self {
+            Self::Number(_) | Self::Symbol(_) => self,
+            Self::Sum(mut terms) => {
+                terms.iter_mut().for_each(|term| term.0 = image(&term.0));
+                Self::Sum(terms)
+            }
+            Self::Product(mut factors) => {
+                factors
+                    .iter_mut()
+                    .for_each(|factor| factor.0 = image(&factor.0));
+                Self::Product(factors)
+            }
+            Self::Quotient(numerator, denominator) => {
+                Self::Quotient(image(&numerator), image(&denominator))
+            }
+            Self::Apply(function, operands) => {
+                Self::Apply(function, operands.iter().map(image).collect())
+            }
+            Self::Tabulated {
+                table,
+                order,
+                argument,
+            } => Self::Tabulated {
+                table,
+                order,
+                argument: image(&argument),
+            },
+        }
+    }
+}
+
 /// Operations in order, with the places of the results.
 #[derive(Clone, Debug, Default)]
 pub struct Circuit {
@@ -225,11 +259,37 @@ impl Circuit {
             .iter()
             .filter_map(|output| images[output.index()])
             .collect();
-        *self = tidied;
+        *self = tidied.swept();
     }
 
-    /// The uses by what the results need.
-    fn live_uses(&self) -> Vec<usize> {
+    /// The same operations in the same order without those that no result needs: what was opened into its only user.
+    fn swept(self) -> Self {
+        let uses = self.live_uses();
+        let mut swept = Self::default();
+        let mut images: Vec<Net> = Vec::with_capacity(self.operations.len());
+        for net in self.nets() {
+            if uses[net.index()] == 0 {
+                // Never looked at: an operation that is needed has no operand that is not.
+                images.push(Net(0));
+                continue;
+            }
+            let image = |operand: &Net| images[operand.index()];
+            let swept_net = swept.push(self.operation(net).clone().with_operands(image));
+            if let Some(name) = self.suggested_name(net) {
+                swept.suggest_name(swept_net, name);
+            }
+            images.push(swept_net);
+        }
+        swept.outputs = self
+            .outputs
+            .iter()
+            .map(|output| images[output.index()])
+            .collect();
+        swept
+    }
+
+    /// How often what the results need uses each operation; 0 for what they do not need.
+    pub fn live_uses(&self) -> Vec<usize> {
         let mut uses = vec![0_usize; self.operations.len()];
         let mut stack = Vec::new();
         for output in &self.outputs {
@@ -257,10 +317,12 @@ impl Circuit {
                 let mut opened = Vec::new();
                 for (operand, coefficient) in terms {
                     match tidied.operation(image(operand)) {
-                        // A multiple that several sums share is an operation of its own.
+                        // A multiple that several sums share is an operation of its own, and its negative is free; a
+                        // multiple of it is no more than another multiple of what it is of.
                         Operation::Sum(inner)
                             if inner.len() == 1
-                                && (uses[operand.index()] == 1 || terms.len() == 1) =>
+                                && (uses[operand.index()] == 1
+                                    || terms.len() == 1 && !coefficient.abs().is_one()) =>
                         {
                             opened.push((inner[0].0, &inner[0].1 * coefficient));
                         }
@@ -286,23 +348,7 @@ impl Circuit {
                 }
                 tidied.product(opened)
             }
-            Operation::Quotient(numerator, denominator) => {
-                tidied.push(Operation::Quotient(image(numerator), image(denominator)))
-            }
-            Operation::Apply(function, operands) => tidied.push(Operation::Apply(
-                *function,
-                operands.iter().map(image).collect(),
-            )),
-            Operation::Tabulated {
-                table,
-                order,
-                argument,
-            } => tidied.push(Operation::Tabulated {
-                table: *table,
-                order: *order,
-                argument: image(argument),
-            }),
-            leaf => tidied.push(leaf.clone()),
+            other => tidied.push(other.clone().with_operands(image)),
         }
     }
 
@@ -325,14 +371,19 @@ impl Circuit {
             Operation::Quotient(..) => cost.div = 1,
             Operation::Apply(Function::Sqrt, _) => cost.sqrt = 1,
             Operation::Apply(Function::Abs | Function::Sign, _) => {}
+            Operation::Apply(Function::Min | Function::Max | Function::Select, _) => {
+                cost.choice = 1;
+            }
             Operation::Apply(..) | Operation::Tabulated { .. } => cost.call = 1,
         }
         cost
     }
 
-    /// What all operations cost.
+    /// What the operations that the results need cost together.
     pub fn cost(&self) -> Cost {
+        let uses = self.live_uses();
         self.nets()
+            .filter(|net| uses[net.index()] > 0)
             .fold(Cost::default(), |cost, net| cost + self.cost_of(net))
     }
 }

@@ -14,6 +14,8 @@ use crate::graph::Rational;
 pub enum Step {
     /// `a·b + a·c` becomes `a·(b + c)`; of a polynomial, Horner's form.
     Factors,
+    /// The same with products that are needed elsewhere too: a polynomial and its derivative each in Horner's form.
+    SharedFactors,
     /// A product of two that several products share is computed once.
     Products,
     /// A sum of two that several sums share, up to a common factor, is computed once.
@@ -23,8 +25,8 @@ pub enum Step {
 }
 
 /// The orders that are tried.
-pub const ORDERS: [&[Step]; 6] = {
-    use Step::{Factors, Multiples, Products, Sums};
+pub const ORDERS: [&[Step]; 7] = {
+    use Step::{Factors, Multiples, Products, SharedFactors, Sums};
     [
         &[Factors, Sums, Products, Multiples],
         &[Sums, Factors, Products, Sums, Multiples],
@@ -32,6 +34,7 @@ pub const ORDERS: [&[Step]; 6] = {
         &[Products, Sums, Factors, Sums, Multiples],
         &[Sums, Products, Factors, Products, Multiples],
         &[Factors, Products, Sums, Multiples],
+        &[SharedFactors, Sums, Products, Multiples],
     ]
 };
 
@@ -39,7 +42,8 @@ pub const ORDERS: [&[Step]; 6] = {
 pub fn extract(circuit: &mut Circuit, steps: &[Step]) {
     for step in steps {
         match step {
-            Step::Factors => factor_sums(circuit),
+            Step::Factors => factor_sums(circuit, false),
+            Step::SharedFactors => factor_sums(circuit, true),
             Step::Products => share_products(circuit),
             Step::Sums => share_sums(circuit),
             Step::Multiples => gather_multiples(circuit),
@@ -48,6 +52,9 @@ pub fn extract(circuit: &mut Circuit, steps: &[Step]) {
     }
     divide_by_lone_divisors(circuit);
     share_multiples(circuit);
+    circuit.tidy();
+    // A multiple of an inverse that has become its only user.
+    divide_by_lone_divisors(circuit);
     circuit.tidy();
 }
 
@@ -114,7 +121,8 @@ fn divide_in_terms(
     }
 }
 
-/// A multiple that several sums have is computed once: `0.5·s − a`, `0.5·s − b`.
+/// A multiple that several sums have is computed once: `0.5·s − a`, `0.5·s − b`; and so is that of a factor which several
+/// multiples of products have: `3·x·r`, `3·y·r`.
 fn share_multiples(circuit: &mut Circuit) {
     let mut counts: BTreeMap<(Net, Rational), usize> = BTreeMap::new();
     let multiples = |circuit: &Circuit, net: Net| match circuit.operation(net) {
@@ -124,10 +132,21 @@ fn share_multiples(circuit: &mut Circuit) {
     let is_multiple = |circuit: &Circuit, operand: Net, coefficient: &Rational| {
         !coefficient.abs().is_one() && circuit.as_number(operand).is_none()
     };
+    let uses = circuit.uses();
     for net in circuit.nets() {
         for (operand, coefficient) in multiples(circuit, net) {
-            if is_multiple(circuit, operand, &coefficient) {
-                *counts.entry((operand, coefficient.abs())).or_insert(0) += 1;
+            if !is_multiple(circuit, operand, &coefficient) {
+                continue;
+            }
+            let mut count = |net: Net| {
+                *counts.entry((net, coefficient.abs())).or_insert(0) += 1;
+            };
+            count(operand);
+            if let Operation::Product(factors) = circuit.operation(operand)
+                && uses[operand.index()] == 1
+            {
+                let simple = factors.iter().filter(|(_, power)| *power == 1);
+                simple.for_each(|(factor, _)| count(*factor));
             }
         }
     }
@@ -138,10 +157,10 @@ fn share_multiples(circuit: &mut Circuit) {
             .is_some_and(|count| *count > 1)
             .then_some(key)
     };
-    let uses = circuit.uses();
     for net in circuit.nets() {
         let mut terms = multiples(circuit, net);
-        let alone = terms.len() < 2;
+        // A multiple by itself is what the others share; its negative is no multiplication of its own.
+        let alone = terms.len() < 2 && terms.iter().all(|(_, q)| q.is_positive());
         for (operand, coefficient) in &mut terms {
             let of_sum = shared(*operand, coefficient).filter(|_| !alone);
             if let Some(key) = of_sum {
@@ -176,7 +195,7 @@ struct Term {
     factors: BTreeMap<Net, u32>,
 }
 
-fn factor_sums(circuit: &mut Circuit) {
+fn factor_sums(circuit: &mut Circuit, shared: bool) {
     let uses = circuit.uses();
     for net in circuit.nets() {
         let Operation::Sum(terms) = circuit.operation(net).clone() else {
@@ -186,7 +205,7 @@ fn factor_sums(circuit: &mut Circuit) {
             .into_iter()
             .map(|(operand, coefficient)| {
                 let factors = match circuit.operation(operand) {
-                    Operation::Product(factors) if uses[operand.index()] == 1 => {
+                    Operation::Product(factors) if shared || uses[operand.index()] == 1 => {
                         factors.iter().copied().collect()
                     }
                     Operation::Number(value) if value.is_one() => BTreeMap::new(),

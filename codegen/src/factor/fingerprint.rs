@@ -5,6 +5,8 @@
 //! with a probability of at most (d/p)² (Schwartz and Zippel), 1e-30 for the degrees of formulas. The points are fixed,
 //! so that the same formulas always give the same code.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use num_bigint::BigInt;
 use num_traits::ToPrimitive;
 
@@ -25,12 +27,23 @@ impl Residue {
 
     /// The residue of a rational number; one whose denominator the prime divides counts as 0.
     pub fn rational(value: &Rational) -> Self {
-        let residue = |whole: &BigInt| {
-            let modulus = BigInt::from(PRIME);
-            let reduced = ((whole % &modulus) + &modulus) % &modulus;
-            Self(reduced.to_u64().unwrap_or(0))
-        };
-        residue(value.numer()).times(residue(value.denom()).inverse())
+        let numerator = Self::whole(value.numer());
+        // Most constants of formulas are whole, and an inverse takes a hundred products.
+        if value.is_integer() {
+            numerator
+        } else {
+            numerator.times(Self::whole(value.denom()).inverse())
+        }
+    }
+
+    fn whole(value: &BigInt) -> Self {
+        if let Some(small) = value.to_i64().filter(|small| small.unsigned_abs() < PRIME) {
+            let size = Self(small.unsigned_abs());
+            return if small < 0 { size.negative() } else { size };
+        }
+        let modulus = BigInt::from(PRIME);
+        let reduced = ((value % &modulus) + &modulus) % &modulus;
+        Self(reduced.to_u64().unwrap_or(0))
     }
 
     /// The sum.
@@ -46,8 +59,10 @@ impl Residue {
 
     /// The product.
     pub fn times(self, other: Self) -> Self {
-        let wide = u128::from(self.0) * u128::from(other.0) % u128::from(PRIME);
-        Self(u64::try_from(wide).unwrap_or(0))
+        // 2⁶¹ is 1 in the field: the bits from there on are added to those below.
+        let wide = u128::from(self.0) * u128::from(other.0);
+        let (low, high) = ((wide as u64) & PRIME, (wide >> 61) as u64);
+        Self(low).plus(Self(high))
     }
 
     /// The power.
@@ -180,6 +195,31 @@ pub fn all_at(graph: &Graph, roots: &[ExprId], point: u64) -> Vec<Residue> {
         values[id.index()] = value;
     }
     values
+}
+
+/// The values of the roots at a point, where what lies deeper than so many operations, and every function that is neither
+/// a sum nor a product, stands for itself, like a symbol: what is equal so is equal.
+pub fn near(graph: &Graph, roots: &[ExprId], depth: usize, point: u64) -> Vec<Residue> {
+    let mut opened: BTreeSet<ExprId> = BTreeSet::new();
+    let mut level: BTreeSet<ExprId> = roots.iter().copied().collect();
+    for _ in 0..depth {
+        let inner = level.iter().filter(|id| !opened.contains(id)).copied();
+        let inner: Vec<ExprId> = inner
+            .filter(|id| !matches!(graph.node(*id), Node::Apply(..) | Node::Tabulated { .. }))
+            .collect();
+        opened.extend(&inner);
+        level = inner.iter().flat_map(|id| graph.operands(*id)).collect();
+    }
+    let mut values: BTreeMap<ExprId, Residue> = BTreeMap::new();
+    let itself = |id: ExprId| Residue(scramble(scramble(!point) ^ (id.index() as u64)));
+    for id in opened {
+        let value = node_at(graph, id, point, |operand| {
+            values.get(&operand).copied().unwrap_or(itself(operand))
+        });
+        values.insert(id, value);
+    }
+    let value = |id: &ExprId| values.get(id).copied().unwrap_or(itself(*id));
+    roots.iter().map(value).collect()
 }
 
 /// Whether the fingerprint is that of zero.

@@ -7,19 +7,30 @@ use num_integer::Integer;
 use num_traits::{One, Pow, Signed, Zero};
 
 use super::circuit::{Circuit, Net, Operation};
+use super::constants;
 use crate::graph::{ExprId, Function, Graph, NamedConstant, Node, Rational};
 use crate::parse::literal::decimal;
 
 /// Digits of a constant that is not rational, many more than any number type of the output has.
 const CONSTANT_DIGITS: u32 = 60;
 
-/// The circuit of the roots as they stand, without any extraction.
+/// The circuit of the roots as they stand, without any extraction: the inverse of a size by itself or as the size of an
+/// inverse, whichever costs less.
 pub fn lower(graph: &Graph, roots: &[ExprId]) -> Circuit {
+    let [apart, shared] = [false, true].map(|sizes| lowered(graph, roots, sizes));
+    if shared.cost().weight() < apart.cost().weight() {
+        shared
+    } else {
+        apart
+    }
+}
+
+fn lowered(graph: &Graph, roots: &[ExprId], sizes: bool) -> Circuit {
     let mut lowering = Lowering {
         graph,
         circuit: Circuit::default(),
         values: vec![None; graph.len()],
-        inverted: shared_divisors(graph, roots),
+        inverted: shared_divisors(graph, roots, sizes),
     };
     for id in graph.reachable(roots) {
         let value = lowering.value(id);
@@ -56,6 +67,8 @@ struct Lowering<'g> {
 /// How divisions are shared.
 #[derive(Default)]
 struct Divisors {
+    /// Whether the inverse of a size is the size of the inverse.
+    sizes: bool,
     /// Factors whose inverse is computed once and multiplied by.
     factors: BTreeSet<ExprId>,
     /// Whole denominators whose inverse is computed once and multiplied by.
@@ -160,9 +173,12 @@ impl Lowering<'_> {
             }
             if *exponent > 0 {
                 numerator.push((net, exponent.unsigned_abs()));
-            } else if self.inverted.factors.contains(factor) {
-                let one = self.one();
-                let inverse = self.circuit.push(Operation::Quotient(one, net));
+            } else if self
+                .inverted
+                .factors
+                .contains(&self.inverted.key(self.graph, *factor))
+            {
+                let inverse = self.inverse(*factor, net);
                 numerator.push((inverse, exponent.unsigned_abs()));
             } else {
                 denominator.push((net, exponent.unsigned_abs()));
@@ -170,6 +186,17 @@ impl Lowering<'_> {
             }
         }
         let denominator = self.circuit.product(denominator);
+        self.quotient(coefficient, numerator, denominator, &divisors)
+    }
+
+    /// A product over another, which is that of `divisors`.
+    fn quotient(
+        &mut self,
+        coefficient: Rational,
+        mut numerator: Vec<(Net, u32)>,
+        denominator: Net,
+        divisors: &Denominator,
+    ) -> Multiple {
         if self
             .circuit
             .as_number(denominator)
@@ -177,7 +204,7 @@ impl Lowering<'_> {
         {
             return (coefficient, self.circuit.product(numerator));
         }
-        if self.inverted.products.contains(&divisors) {
+        if self.inverted.products.contains(divisors) {
             let one = self.one();
             numerator.push((self.circuit.push(Operation::Quotient(one, denominator)), 1));
             return (coefficient, self.circuit.product(numerator));
@@ -198,6 +225,21 @@ impl Lowering<'_> {
         )
     }
 
+    /// The inverse of a divisor, whose value is `net`; that of a size is the size of the inverse.
+    fn inverse(&mut self, divisor: ExprId, net: Net) -> Net {
+        let one = self.one();
+        match self.circuit.operation(net).clone() {
+            Operation::Apply(Function::Abs, operands)
+                if self.inverted.key(self.graph, divisor) != divisor =>
+            {
+                let inverse = self.circuit.push(Operation::Quotient(one, operands[0]));
+                self.circuit
+                    .push(Operation::Apply(Function::Abs, vec![inverse]))
+            }
+            _ => self.circuit.push(Operation::Quotient(one, net)),
+        }
+    }
+
     fn apply(&mut self, function: Function, operands: &[ExprId]) -> Multiple {
         if let [operand] = operands {
             let (coefficient, net) = self.multiple(*operand);
@@ -216,11 +258,44 @@ impl Lowering<'_> {
                 _ => {}
             }
         }
+        let constants: Option<Vec<Rational>> = operands
+            .iter()
+            .map(|operand| {
+                let (coefficient, net) = self.multiple(*operand);
+                Some(coefficient * self.circuit.as_number(net)?)
+            })
+            .collect();
+        if let Some(value) = constants.and_then(|constants| constants::value(function, &constants))
+        {
+            return (value, self.one());
+        }
         let operands = operands.iter().map(|operand| self.net(*operand)).collect();
         (
             Rational::one(),
             self.circuit.push(Operation::Apply(function, operands)),
         )
+    }
+}
+
+impl Divisors {
+    /// The divisor whose inverse serves for this one: of a size what it is the size of.
+    fn key(&self, graph: &Graph, divisor: ExprId) -> ExprId {
+        match graph.node(divisor) {
+            Node::Apply(Function::Abs, operands) if self.sizes => operands[0],
+            _ => divisor,
+        }
+    }
+
+    /// The different divisors in denominators.
+    fn keys<'d>(
+        &self,
+        graph: &Graph,
+        denominators: impl IntoIterator<Item = &'d (ExprId, u32)>,
+    ) -> BTreeSet<ExprId> {
+        let divisors = denominators.into_iter();
+        divisors
+            .map(|(factor, _)| self.key(graph, *factor))
+            .collect()
     }
 }
 
@@ -265,7 +340,7 @@ fn root_of(value: &Rational) -> Rational {
 
 /// Decides which inverses are shared: per group of quotients that have divisors in common, either each divisor is
 /// inverted once or each whole denominator is, whichever needs fewer divisions.
-fn shared_divisors(graph: &Graph, roots: &[ExprId]) -> Divisors {
+fn shared_divisors(graph: &Graph, roots: &[ExprId], sizes: bool) -> Divisors {
     let mut quotients: Vec<Vec<(ExprId, u32)>> = Vec::new();
     for id in graph.reachable(roots) {
         if let Node::Product(factors) = graph.node(id) {
@@ -281,9 +356,16 @@ fn shared_divisors(graph: &Graph, roots: &[ExprId]) -> Divisors {
             }
         }
     }
-    let mut shared = Divisors::default();
-    for group in groups(quotients) {
-        let factors: BTreeSet<ExprId> = group.iter().flatten().map(|(factor, _)| *factor).collect();
+    let keys = Divisors {
+        sizes,
+        ..Divisors::default()
+    };
+    let mut shared = Divisors {
+        sizes,
+        ..Divisors::default()
+    };
+    for group in groups(quotients, |quotient| keys.keys(graph, quotient)) {
+        let factors = keys.keys(graph, group.iter().flatten());
         let whole: BTreeSet<Vec<(ExprId, u32)>> = group.iter().cloned().collect();
         if group.len() == 1 {
             continue;
@@ -304,10 +386,13 @@ fn shared_divisors(graph: &Graph, roots: &[ExprId]) -> Divisors {
 type Denominator = Vec<(ExprId, u32)>;
 
 /// Quotients connected by common divisors.
-fn groups(quotients: Vec<Denominator>) -> Vec<Vec<Denominator>> {
+fn groups(
+    quotients: Vec<Denominator>,
+    keys: impl Fn(&Denominator) -> BTreeSet<ExprId>,
+) -> Vec<Vec<Denominator>> {
     let mut groups: Vec<(BTreeSet<ExprId>, Vec<Denominator>)> = Vec::new();
     for quotient in quotients {
-        let mut factors: BTreeSet<ExprId> = quotient.iter().map(|(factor, _)| *factor).collect();
+        let mut factors = keys(&quotient);
         let mut members = vec![quotient];
         let (connected, apart): (Vec<_>, Vec<_>) = groups
             .into_iter()

@@ -3,7 +3,10 @@
 //!
 //! Forms that are equal on paper differ in floating point: $(x-y)(x+y)$ keeps the digits that $x^2-y^2$ loses. A form with
 //! fewer operations is taken only where it is as good as the author's at every point of [`Reference`], and finite
-//! wherever that is.
+//! wherever that is. Of such forms one that also stays in the range of numbers far from 1, where the author's does, is
+//! taken before a cheaper one that does not, unless it costs much more.
+
+use std::ops::Range;
 
 use num_traits::{One, ToPrimitive};
 
@@ -15,6 +18,12 @@ use crate::interpret::{self, Number, constant_value};
 
 /// How many points are looked at.
 const POINTS: u64 = 96;
+
+/// And how many whose numbers are all far from 1, where products of two or three of them leave the range of numbers.
+const FAR_POINTS: u64 = 32;
+
+/// The sizes of numbers at those.
+const FAR: [f64; 4] = [1e170, 1e-170, 1e100, 1e-100];
 
 /// How much larger than the author's the error of a form may be. Both are bounds, which grow with the number of
 /// operations; a cancellation is larger by orders of magnitude.
@@ -38,6 +47,15 @@ impl Bounded {
             value,
             error: inherited + value.abs(),
         }
+    }
+
+    /// A product or quotient of numbers other than 0, which loses digits or all of them below the smallest normal number.
+    fn scaled(value: f64, inherited: f64) -> Self {
+        let mut scaled = Self::rounded(value, inherited);
+        if value.abs() < f64::MIN_POSITIVE {
+            scaled.error += f64::MIN_POSITIVE;
+        }
+        scaled
     }
 
     fn is_unit(self) -> bool {
@@ -93,7 +111,10 @@ impl Number for Bounded {
                 error: inherited,
             };
         }
-        Self::rounded(value, inherited)
+        if self.value == 0.0 || other.value == 0.0 {
+            return Self::rounded(value, inherited);
+        }
+        Self::scaled(value, inherited)
     }
 
     fn divide(&self, other: &Self) -> Self {
@@ -105,7 +126,10 @@ impl Number for Bounded {
                 error: inherited,
             };
         }
-        Self::rounded(quotient, inherited)
+        if self.value == 0.0 {
+            return Self::rounded(quotient, inherited);
+        }
+        Self::scaled(quotient, inherited)
     }
 
     fn apply(function: Function, operands: &[Self]) -> Self {
@@ -145,7 +169,7 @@ impl Reference {
     /// The form in which the outputs stand in the graph.
     pub fn of(graph: &Graph, outputs: &[ExprId]) -> Self {
         let differences = differences(graph, outputs);
-        let points: Vec<Vec<Bounded>> = (0..POINTS)
+        let points: Vec<Vec<Bounded>> = (0..POINTS + FAR_POINTS)
             .map(|number| point(graph, &differences, number))
             .collect();
         let outputs = points
@@ -157,9 +181,19 @@ impl Reference {
 
     /// Whether a circuit of the same outputs loses no more digits, and is finite wherever the author's form is.
     pub fn admits(&self, graph: &Graph, circuit: &Circuit) -> bool {
-        self.points
+        self.admits_among(0..POINTS as usize, graph, circuit)
+    }
+
+    /// The same for numbers far from 1.
+    pub fn admits_far(&self, graph: &Graph, circuit: &Circuit) -> bool {
+        self.admits_among(POINTS as usize..self.points.len(), graph, circuit)
+    }
+
+    fn admits_among(&self, points: Range<usize>, graph: &Graph, circuit: &Circuit) -> bool {
+        let outputs = &self.outputs[points.clone()];
+        self.points[points]
             .iter()
-            .zip(&self.outputs)
+            .zip(outputs)
             .all(|(point, expected)| {
                 let found = interpret::evaluate_circuit(graph, circuit, point);
                 let known = expected
@@ -223,7 +257,12 @@ fn differences(graph: &Graph, roots: &[ExprId]) -> Vec<Difference> {
 /// such that some of the differences nearly or wholly vanish.
 fn point(graph: &Graph, differences: &[Difference], number: u64) -> Vec<Bounded> {
     let mut random = Random::new(number);
-    let size = [1.0, 1.0, 1.0, 1e9, 1e-9, 0.3][(number % 6) as usize];
+    let far = number >= POINTS;
+    let size = if far {
+        FAR[(number % 4) as usize]
+    } else {
+        [1.0, 1.0, 1.0, 1e9, 1e-9, 0.3][(number % 6) as usize]
+    };
     let within = |symbol: &Symbol, value: f64| {
         if symbol.sign.is_not_negative() {
             value.abs()
@@ -243,7 +282,7 @@ fn point(graph: &Graph, differences: &[Difference], number: u64) -> Vec<Bounded>
         ));
     }
     for difference in differences {
-        if number.is_multiple_of(4) || random.below(2) == 0 {
+        if far || number.is_multiple_of(4) || random.below(2) == 0 {
             continue;
         }
         let other = difference.other.map_or(1.0, |other| values[other.index()]);

@@ -86,6 +86,11 @@ impl Sign {
         !self.negative && !self.zero
     }
 
+    /// Below zero.
+    pub fn is_negative(self) -> bool {
+        !self.positive && !self.zero
+    }
+
     fn negated(self) -> Self {
         Self {
             negative: self.positive,
@@ -200,8 +205,9 @@ impl Graph {
             Function::Abs => sign(0).squared(),
             Function::Exp => Sign::POSITIVE,
             Function::Sign => Sign {
+                negative: sign(0).negative,
                 zero: false,
-                ..Sign::UNKNOWN
+                positive: sign(0).positive || sign(0).zero,
             },
             Function::Min | Function::Max => {
                 let (a, b) = (sign(0), sign(1));

@@ -138,8 +138,14 @@ impl<'a> Writer<'a> {
         let Some(init) = &local.init else {
             return unsupported(local);
         };
-        let terms = self.terms(&init.expr)?;
         let names = bound_names(&local.pat)?;
+        if let [name] = names.as_slice()
+            && let Some(square) = self.square(name, &init.expr)
+        {
+            self.bound.insert(name.clone(), square);
+            return Ok(());
+        }
+        let terms = self.terms(&init.expr)?;
         let mut symbols = Vec::new();
         for name in names {
             let again = self.bound.contains_key(&name)
@@ -163,6 +169,21 @@ impl<'a> Writer<'a> {
         };
         self.lines.push(Line::new(left, &terms));
         Ok(())
+    }
+
+    /// A square named after its root, `gamma_2` for the square of `gamma`, is written as such where it is used.
+    fn square(&self, name: &str, value: &Expr) -> Option<String> {
+        let Expr::MethodCall(call) = peeled(value) else {
+            return None;
+        };
+        let root = match peeled(&call.receiver) {
+            Expr::Path(path) => path.path.get_ident()?.to_string(),
+            Expr::Field(field) => field.member.to_token_stream().to_string(),
+            _ => return None,
+        };
+        let squared = call.method == "powi" && call.args.to_token_stream().to_string() == "2";
+        (squared && name == format!("{root}_2"))
+            .then(|| Piece::atom(self.symbol(&root)).raised_to("2").text)
     }
 
     /// The terms of an expression, each with its sign where it is not the first.

@@ -38,7 +38,7 @@ impl Symbols {
             Ok(words) => words
                 .iter()
                 .for_each(|word| symbols.read_word(word, diagnostics)),
-            Err(error) => diagnostics.syntax(&error),
+            Err(error) => diagnostics.syntax(&error, EXAMPLE),
         }
         symbols
     }

@@ -153,6 +153,26 @@ fn lines() {
 }
 
 #[test]
+fn a_formula_in_full_defines_what_it_calls() {
+    let source = format!(
+        "#[symbolic({TABLE})] mod m {{
+            pub struct Pair {{ pub beta: f64 }}
+            pub fn g(x: f64) -> f64 {{ h(x) - x }}
+            pub fn h(x: f64) -> f64 {{ x.powi(3) }}
+            pub fn f(x: f64, c: &Pair) -> f64 {{ let beta_2 = c.beta.powi(2); h(x) + g(x) * beta_2.powi(2) + g(2.0) }}
+            pub fn pair(p: &Pair) -> Pair {{ Pair {{ beta: p.beta }} }}
+        }}"
+    );
+    let module = show::module(&source).unwrap();
+    assert_eq!(
+        show::latex_in_full(&module, "f").unwrap(),
+        "\\begin{aligned}\nf(x) &= h(x) + g(x) (\\beta^2)^2 + g(2)\\\\\n&\\text{where}\\\\\nh(x) &= x^3\\\\\n\
+         g(x) &= h(x) - x\n\\end{aligned}\n"
+    );
+    assert_eq!(show::latex_in_full(&module, "h").unwrap(), "h(x) = x^3\n");
+}
+
+#[test]
 fn two_structs_of_one_type_are_told_apart() {
     let source = "pub fn f(a: &Pair, b: &Pair) -> f64 { a.beta - b.beta * b.k_tt }";
     assert_eq!(latex(source), r"f(a, b) = a.\beta - b.\beta k_{tt}");

@@ -1,5 +1,7 @@
 //! What is asked of a function: `#[generate]`, `#[domain]`, `#[approximate]`, `#[specialise]`.
 
+mod approximation;
+
 use proc_macro2::Span;
 use syn::parse::Parser;
 use syn::punctuated::Punctuated;
@@ -19,6 +21,18 @@ pub struct Target {
     pub span: Span,
 }
 
+impl Target {
+    /// The parameter that the number is of.
+    pub fn root(&self) -> &str {
+        root(&self.symbol)
+    }
+}
+
+/// The parameter that a number is of: `c` of `c.field`, `a` of `a[0]`.
+pub fn root(symbol: &str) -> &str {
+    symbol.split(['.', '[']).next().unwrap_or(symbol)
+}
+
 /// The forms to generate from one function.
 #[derive(Clone, Debug, Default)]
 pub struct Request {
@@ -32,7 +46,7 @@ pub struct Request {
     pub columns: bool,
     /// The value in stages, each along its inner parameters.
     pub stages: Vec<StageRequest>,
-    /// Greatest counts of the richest form.
+    /// Greatest counts of the richest form asked for; partials that formulas call are forms of their own.
     pub budget: Vec<Limit>,
 }
 
@@ -43,6 +57,15 @@ pub struct StageRequest {
     pub inner: Vec<Target>,
     /// Where it is asked for.
     pub span: Span,
+}
+
+impl Request {
+    /// Every number that the forms are derived by, or run along.
+    pub fn targets(&self) -> impl Iterator<Item = &Target> {
+        let lists = [&self.gradient, &self.hessian];
+        let derived = lists.into_iter().flatten().flatten();
+        derived.chain(self.stages.iter().flat_map(|stage| &stage.inner))
+    }
 }
 
 /// One entry of a budget.
@@ -78,8 +101,8 @@ pub struct Approximation {
 pub struct Specialisation {
     /// The new function's name.
     pub name: Ident,
-    /// Parameter and the expression in its place.
-    pub replacements: Vec<(Ident, Expr)>,
+    /// Parameter, or one number of it, and the expression in its place.
+    pub replacements: Vec<(Target, Expr)>,
     /// What to generate from it.
     pub request: Request,
 }
@@ -108,7 +131,7 @@ impl FunctionAttributes {
             let Some(name) = OWN.into_iter().find(|name| attribute.path().is_ident(name)) else {
                 continue;
             };
-            let Some(words) = words(attribute, diagnostics) else {
+            let Some(words) = words(attribute, example(name), diagnostics) else {
                 continue;
             };
             let span = attribute.path().span();
@@ -131,7 +154,9 @@ impl FunctionAttributes {
                     read.domain
                         .extend(words.iter().filter_map(|word| domain(word, diagnostics)));
                 }
-                "approximate" => read.approximation = approximation(&words, span, diagnostics),
+                "approximate" => {
+                    read.approximation = approximation::read(&words, span, diagnostics);
+                }
                 _ => read
                     .specialisations
                     .extend(specialisation(&words, span, diagnostics)),
@@ -141,7 +166,23 @@ impl FunctionAttributes {
     }
 }
 
-fn words(attribute: &Attribute, diagnostics: &mut Diagnostics) -> Option<Vec<Expr>> {
+/// How an attribute is written, for hints.
+fn example(attribute: &str) -> &'static str {
+    match attribute {
+        "generate" => "write for example generate(value, gradient(x, c.y), columns)",
+        "domain" => DOMAIN,
+        "approximate" => approximation::EXAMPLE,
+        _ => SPECIALISATION,
+    }
+}
+
+const DOMAIN: &str =
+    "write comparisons with zero: x > 0.0, x >= 0.0, x < 0.0, x <= 0.0 or x != 0.0";
+
+const SPECIALISATION: &str =
+    "write for example specialise(phi_on_sir, omega = speed, generate(gradient(speed)))";
+
+fn words(attribute: &Attribute, example: &str, diagnostics: &mut Diagnostics) -> Option<Vec<Expr>> {
     let parser = Punctuated::<Expr, Token![,]>::parse_terminated;
     let tokens = match &attribute.meta {
         syn::Meta::List(list) => list.tokens.clone(),
@@ -150,7 +191,7 @@ fn words(attribute: &Attribute, diagnostics: &mut Diagnostics) -> Option<Vec<Exp
     match parser.parse2(tokens) {
         Ok(words) => Some(words.into_iter().collect()),
         Err(error) => {
-            diagnostics.syntax(&error);
+            diagnostics.syntax(&error, example);
             None
         }
     }
@@ -217,6 +258,15 @@ fn request(words: &[Expr], span: Span, diagnostics: &mut Diagnostics) -> Request
                 diagnostics.error_with_hint(name.span(), format!("unknown form `{other}`"), hint);
             }
         }
+    }
+    if let ([only], [word]) = (asked.as_slice(), words)
+        && only == "budget"
+    {
+        diagnostics.error_with_hint(
+            word.span(),
+            "the budget has no form to count",
+            "ask for a form beside it: value, gradient(x, y), hessian(x, y) or columns",
+        );
     }
     request
 }
@@ -322,20 +372,26 @@ fn budget(
             );
             continue;
         };
+        if limits.iter().any(|limit| limit.measure == measure) {
+            diagnostics.error_with_hint(
+                argument.span(),
+                format!("`{key}` has a limit already"),
+                "leave one of the two",
+            );
+            continue;
+        }
         match most.base10_parse() {
             Ok(most) => limits.push(Limit {
                 measure,
                 most,
                 span: argument.span(),
             }),
-            Err(error) => diagnostics.syntax(&error),
+            Err(error) => diagnostics.syntax(&error, EXAMPLE),
         }
     }
 }
 
 fn domain(condition: &Expr, diagnostics: &mut Diagnostics) -> Option<(Target, Sign)> {
-    const HINT: &str =
-        "write a comparison with zero: x > 0.0, x >= 0.0, x < 0.0, x <= 0.0 or x != 0.0";
     if let Expr::Binary(binary) = condition
         && is_zero(&binary.right)
     {
@@ -351,7 +407,7 @@ fn domain(condition: &Expr, diagnostics: &mut Diagnostics) -> Option<(Target, Si
             return target(&binary.left, diagnostics).map(|target| (target, sign));
         }
     }
-    diagnostics.error_with_hint(condition.span(), "not a domain", HINT);
+    diagnostics.error_with_hint(condition.span(), "not a domain", DOMAIN);
     None
 }
 
@@ -379,68 +435,17 @@ fn number(expression: &Expr) -> Option<f64> {
     }
 }
 
-fn approximation(
-    words: &[Expr],
-    span: Span,
-    diagnostics: &mut Diagnostics,
-) -> Option<Approximation> {
-    const EXAMPLE: &str =
-        "write for example approximate(x = 0.0..=1.0, factor = x.powi(2), tolerance = 1e-13)";
-    let (mut interval, mut factor, mut tolerance) = (None, None, None);
-    for word in words {
-        let assign = match word {
-            Expr::Assign(assign) => {
-                head(&assign.left).map(|(name, _)| (name, assign.right.as_ref()))
-            }
-            _ => None,
-        };
-        match assign {
-            Some((name, right)) if name == "tolerance" => {
-                tolerance = number(right).map(|value| (value, right.span()))
-            }
-            Some((name, right)) if name == "factor" => factor = Some((name, right.clone()).1),
-            Some((name, Expr::Range(range))) => {
-                let bound = |end: &Option<Box<Expr>>| end.as_ref().and_then(|end| number(end));
-                interval = bound(&range.start)
-                    .zip(bound(&range.end))
-                    .map(|bounds| (name.clone(), bounds));
-            }
-            _ => {
-                diagnostics.error_with_hint(word.span(), "not a part of an approximation", EXAMPLE)
-            }
-        }
-    }
-    let (Some((variable, (lower, upper))), Some((tolerance, _))) = (interval, tolerance) else {
-        diagnostics.error_with_hint(
-            span,
-            "an approximation needs its variable's interval and a tolerance",
-            EXAMPLE,
-        );
-        return None;
-    };
-    Some(Approximation {
-        variable,
-        lower,
-        upper,
-        factor,
-        tolerance,
-        span,
-    })
-}
-
 fn specialisation(
     words: &[Expr],
     span: Span,
     diagnostics: &mut Diagnostics,
 ) -> Option<Specialisation> {
-    const EXAMPLE: &str =
-        "write for example specialise(phi_on_sir, omega = speed, generate(gradient(speed)))";
     let mut words = words.iter();
     let Some((name, _)) = words.next().and_then(head) else {
         diagnostics.error_with_hint(
             span,
             "a specialisation begins with the new function's name",
-            EXAMPLE,
+            SPECIALISATION,
         );
         return None;
     };
@@ -452,31 +457,49 @@ fn specialisation(
             ..Request::default()
         },
     };
+    let before = diagnostics.len();
     for word in words {
         match word {
-            Expr::Assign(assign) => match head(&assign.left) {
-                Some((parameter, _)) => {
-                    specialisation
-                        .replacements
-                        .push((parameter.clone(), assign.right.as_ref().clone()));
+            Expr::Assign(assign) => match target(&assign.left, diagnostics) {
+                Some(target) if replaces(&specialisation.replacements, &target) => {
+                    diagnostics.error_with_hint(
+                        target.span,
+                        format!("`{}` is replaced already", target.symbol),
+                        "leave one of the two",
+                    );
                 }
-                None => diagnostics.error_with_hint(assign.left.span(), "not a parameter", EXAMPLE),
+                Some(target) => {
+                    let expression = assign.right.as_ref().clone();
+                    specialisation.replacements.push((target, expression));
+                }
+                None => {}
             },
             Expr::Call(call) if head(word).is_some_and(|(name, _)| name == "generate") => {
                 let forms: Vec<Expr> = call.args.iter().cloned().collect();
                 specialisation.request = request(&forms, call.span(), diagnostics);
             }
-            _ => {
-                diagnostics.error_with_hint(word.span(), "not a part of a specialisation", EXAMPLE)
-            }
+            _ => diagnostics.error_with_hint(
+                word.span(),
+                "not a part of a specialisation",
+                SPECIALISATION,
+            ),
         }
     }
-    if specialisation.replacements.is_empty() {
+    if specialisation.replacements.is_empty() && diagnostics.len() == before {
         diagnostics.error_with_hint(
             name.span(),
             "the specialisation fixes no parameter",
-            EXAMPLE,
+            SPECIALISATION,
         );
     }
-    Some(specialisation)
+    (diagnostics.len() == before).then_some(specialisation)
+}
+
+/// Whether the number, or the parameter that it is of, is among those replaced, or a number of it is.
+fn replaces(replacements: &[(Target, Expr)], target: &Target) -> bool {
+    replacements.iter().any(|(known, _)| {
+        let both_whole = known.symbol == target.symbol;
+        let one_whole = known.symbol == known.root() || target.symbol == target.root();
+        both_whole || (one_whole && known.root() == target.root())
+    })
 }

@@ -2,7 +2,9 @@
 
 mod calls;
 mod methods;
+mod result;
 mod statements;
+mod structs;
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -13,13 +15,14 @@ use syn::{BinOp, Expr, Lit, UnOp};
 use super::attributes::Approximation;
 use super::literal;
 use super::module::{Function, Module, ParameterKind};
+use super::numbers;
 use super::value::Value;
 use crate::diagnostics::{Diagnostics, nearest};
-use crate::graph::{ExprId, Graph, Rational, SymbolId, whole};
+use crate::graph::{ExprId, Graph, Node, Rational, SymbolId, whole};
 use crate::tables::Tables;
 
-/// Names in scope.
-type Scope = BTreeMap<String, Value>;
+/// Names in scope; those whose value could not be read, which is reported, have none.
+type Scope = BTreeMap<String, Option<Value>>;
 
 /// Reads bodies of one module's functions into one graph.
 pub struct Reader<'m> {
@@ -29,11 +32,12 @@ pub struct Reader<'m> {
     pub graph: Graph,
     /// What was wrong.
     pub diagnostics: Diagnostics,
-    calls: Vec<String>,
     /// How many integrals were read.
     pub integrals: usize,
     /// The partials `f::d_x` that were called: function and partial.
     pub partials: BTreeSet<(String, String)>,
+    /// The numbers of parameters that the source names, whatever becomes of them.
+    pub named: BTreeSet<SymbolId>,
 }
 
 impl<'m> Reader<'m> {
@@ -44,23 +48,33 @@ impl<'m> Reader<'m> {
             tables,
             graph: Graph::new(),
             diagnostics: Diagnostics::default(),
-            calls: Vec::new(),
             integrals: 0,
             partials: BTreeSet::new(),
+            named: BTreeSet::new(),
         }
     }
 
     /// The function's result over symbols named as its parameters. None where something was reported.
     pub fn read(&mut self, function: &Function) -> Option<Value> {
-        if !function.readable {
-            return None;
+        for number in numbers::known(self.module, function) {
+            let in_a_struct = number.contains('.');
+            if !in_a_struct {
+                self.graph.symbol_named(&number);
+            }
         }
         self.assume_domain(function);
         let arguments = self.symbolic_arguments(function, "");
-        if function.approximation.is_some() {
-            return self.call_or_table(function, arguments);
+        let value = if function.readable && function.approximation.is_some() {
+            let name = function.item.sig.ident.span();
+            self.call_or_table(function, arguments, name)?
+        } else {
+            self.call(function, arguments)?
+        };
+        for (_, number) in value.numbers() {
+            self.note(&Value::Number(number));
         }
-        self.call(function, arguments)
+        self.check_result(function, &value)?;
+        function.readable.then_some(value)
     }
 
     /// The result of the function's own body, also where calls of it go through a table.
@@ -80,35 +94,28 @@ impl<'m> Reader<'m> {
         let Some(factor) = &approximation.factor else {
             return Some(self.graph.one());
         };
-        let mut scope =
-            Scope::from([(approximation.variable.to_string(), Value::Number(argument))]);
+        let argument = Some(Value::Number(argument));
+        let mut scope = Scope::from([(approximation.variable.to_string(), argument)]);
         self.number(factor, &mut scope)
     }
 
     /// Declares the function's domains; call it before anything is built.
     fn assume_domain(&mut self, function: &Function) {
-        for (symbol, sign, span) in &function.domain {
-            let parameter = symbol.split(['.', '[']).next().unwrap_or(symbol);
-            if !function
-                .parameters
-                .iter()
-                .any(|known| known.name == parameter)
-            {
-                let names: Vec<String> = function
-                    .parameters
-                    .iter()
-                    .map(|known| known.name.to_string())
-                    .collect();
-                let hint = format!("its parameters are {}", names.join(", "));
-                self.diagnostics.error_with_hint(
-                    *span,
-                    format!("`{}` has no parameter `{parameter}`", function.name()),
-                    hint,
-                );
-                continue;
+        for (symbol, sign, _) in &function.domain {
+            // What is no number of the function is reported with the module.
+            if numbers::misfit(self.module, function, symbol).is_none() {
+                let id = self.graph.symbol_named(symbol);
+                self.graph.assume(id, *sign);
             }
-            let id = self.graph.symbol_named(symbol);
-            self.graph.assume(id, *sign);
+        }
+    }
+
+    /// Notes a number that is one of a parameter as named in the source.
+    fn note(&mut self, value: &Value) {
+        if let Value::Number(id) = value
+            && let Node::Symbol(symbol) = self.graph.node(*id)
+        {
+            self.named.insert(*symbol);
         }
     }
 
@@ -127,7 +134,11 @@ impl<'m> Reader<'m> {
                         .map(|i| symbol(&mut self.graph, format!("{name}[{i}]")))
                         .collect(),
                 ),
-                ParameterKind::Struct => Value::Parameter { path: name },
+                ParameterKind::Struct => Value::Parameter {
+                    path: name,
+                    fields: self.module.fields_of(&parameter.ty).map(<[_]>::to_vec),
+                    replaced: Vec::new(),
+                },
             });
         }
         arguments
@@ -135,16 +146,15 @@ impl<'m> Reader<'m> {
 
     /// The function's result for these arguments.
     fn call(&mut self, function: &Function, arguments: Vec<Value>) -> Option<Value> {
-        let name = function.name();
-        self.calls.push(name);
         let names = function
             .parameters
             .iter()
             .map(|parameter| parameter.name.to_string());
-        let mut scope: Scope = names.zip(arguments).collect();
-        let result = self.block(&function.item.block, &mut scope, true);
-        self.calls.pop();
-        result
+        // Parameters that can't be taken are known, so that their uses are not reported too.
+        let bound = function.bound_names().into_iter();
+        let mut scope: Scope = bound.map(|name| (name, None)).collect();
+        scope.extend(names.zip(arguments.into_iter().map(Some)));
+        self.block(&function.item.block, &mut scope, true)
     }
 
     fn expression(&mut self, expression: &Expr, scope: &mut Scope) -> Option<Value> {
@@ -253,7 +263,12 @@ impl<'m> Reader<'m> {
         let name = last.ident.to_string();
         if path.segments.len() == 1 {
             if let Some(value) = scope.get(&name) {
-                return Some(value.clone());
+                let value = value.clone()?;
+                self.note(&value);
+                return Some(value);
+            }
+            if self.module.cyclic_constants.contains(&name) {
+                return None;
             }
             if let Some((_, value)) = self
                 .module
@@ -345,39 +360,6 @@ impl<'m> Reader<'m> {
         );
     }
 
-    fn field(&mut self, field: &syn::ExprField, scope: &mut Scope) -> Option<Value> {
-        let base = self.expression(&field.base, scope)?;
-        let member = match &field.member {
-            syn::Member::Named(name) => name.to_string(),
-            syn::Member::Unnamed(index) => index.index.to_string(),
-        };
-        let (description, hint) = (base.description(), base.known_fields());
-        let found = match base {
-            Value::Parameter { path } => {
-                let id = self.graph.symbol_named(&format!("{path}.{member}"));
-                return Some(Value::Number(self.graph.symbol_expression(id)));
-            }
-            Value::Struct { fields, .. } => fields
-                .into_iter()
-                .find(|(name, _)| *name == member)
-                .map(|(_, value)| value),
-            Value::Tuple(mut values) => member
-                .parse()
-                .ok()
-                .filter(|position| *position < values.len())
-                .map(|position| values.swap_remove(position)),
-            Value::Number(_) | Value::Array(_) => None,
-        };
-        if found.is_none() {
-            self.diagnostics.error_with_hint(
-                field.member.span(),
-                format!("{description} has no field `{member}`"),
-                hint,
-            );
-        }
-        found
-    }
-
     fn element(&mut self, index: &syn::ExprIndex, scope: &mut Scope) -> Option<Value> {
         let base = self.expression(&index.expr, scope)?;
         let Expr::Lit(syn::ExprLit {
@@ -407,7 +389,7 @@ impl<'m> Reader<'m> {
                         hint,
                     );
                 }
-                element
+                element.inspect(|element| self.note(element))
             }
             other => {
                 let message = format!("{} has no elements", other.description());
@@ -419,32 +401,6 @@ impl<'m> Reader<'m> {
                 None
             }
         }
-    }
-
-    fn struct_literal(&mut self, literal: &syn::ExprStruct, scope: &mut Scope) -> Option<Value> {
-        if let Some(rest) = &literal.rest {
-            return self.unsupported(rest.span(), "`..` in a struct", "name every field");
-        }
-        let values = self.all(literal.fields.iter().map(|field| &field.expr), scope)?;
-        let path = &literal.path;
-        let mut fields = Vec::new();
-        for (field, value) in literal.fields.iter().zip(values) {
-            let syn::Member::Named(name) = &field.member else {
-                return self.unsupported(
-                    field.member.span(),
-                    "a field without a name",
-                    "use a tuple",
-                );
-            };
-            if let Value::Number(id) = &value {
-                self.graph.suggest_name(*id, &name.to_string());
-            }
-            fields.push((name.to_string(), value));
-        }
-        Some(Value::Struct {
-            name: quote::ToTokens::to_token_stream(path).to_string(),
-            fields,
-        })
     }
 }
 
@@ -462,16 +418,24 @@ pub fn identifier(symbol: &str) -> String {
     }
 }
 
-/// The one or two symbols whose names make up the suffix of a partial.
-pub fn partial_symbols(suffix: &str, names: &[(String, SymbolId)]) -> Option<Vec<SymbolId>> {
-    if let Some((_, symbol)) = names.iter().find(|(name, _)| name == suffix) {
-        return Some(vec![*symbol]);
+/// The one or two symbols whose names make up the suffix of a partial: every way of reading it, which should be one.
+pub fn partial_symbols(suffix: &str, names: &[(String, SymbolId)]) -> Vec<Vec<SymbolId>> {
+    let named = |wanted: &str| {
+        let found = names.iter().filter(move |(name, _)| name == wanted);
+        found.map(|(_, symbol)| *symbol).collect::<Vec<_>>()
+    };
+    let mut ways: BTreeSet<Vec<SymbolId>> =
+        named(suffix).into_iter().map(|one| vec![one]).collect();
+    for (first, one) in names {
+        let rest = suffix.strip_prefix(first.as_str());
+        if let Some(rest) = rest.and_then(|rest| rest.strip_prefix('_')) {
+            // The order of the two makes no difference.
+            ways.extend(
+                named(rest)
+                    .into_iter()
+                    .map(|other| vec![*one.min(&other), *one.max(&other)]),
+            );
+        }
     }
-    names.iter().find_map(|(first, one)| {
-        let rest = suffix.strip_prefix(first.as_str())?.strip_prefix('_')?;
-        names
-            .iter()
-            .find(|(second, _)| second == rest)
-            .map(|(_, other)| vec![*one, *other])
-    })
+    ways.into_iter().collect()
 }

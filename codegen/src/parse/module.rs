@@ -1,12 +1,14 @@
 //! The items of a module of formulas.
 
+use std::collections::BTreeSet;
+
 use proc_macro2::Span;
-use quote::ToTokens;
-use syn::spanned::Spanned;
+use syn::visit::Visit;
 use syn::{FnArg, Ident, Item, ItemFn, ItemMod, Pat, Type};
 
 use super::attributes::{Approximation, FunctionAttributes, OWN, Request, Specialisation};
 use super::imports::Imports;
+use super::{cycles, numbers, signature, specialise};
 use crate::diagnostics::Diagnostics;
 use crate::graph::Sign;
 
@@ -21,6 +23,8 @@ pub struct Module {
     pub constants: Vec<(String, syn::Expr)>,
     /// What it imports of the standard library's constants.
     pub imports: Imports,
+    /// Constants whose value is needed for itself; that is reported, they have none.
+    pub cyclic_constants: BTreeSet<String>,
     /// Its structs: name and fields.
     pub structs: Vec<(String, Vec<String>)>,
 }
@@ -38,7 +42,8 @@ pub struct Function {
     pub domain: Vec<(String, Sign, Span)>,
     /// Whether and how it is tabulated.
     pub approximation: Option<Approximation>,
-    /// Whether its signature and its approximation can be taken; where not, that is reported, and the body is not followed.
+    /// Whether its signature and its approximation can be taken and it does not call itself. Where not, that is reported,
+    /// its body is read for its mistakes alone, and its callers are not followed into it.
     pub readable: bool,
     /// For a specialisation: the function it stands at and its replacements are in the body.
     pub specialises: Option<String>,
@@ -71,6 +76,41 @@ impl Function {
     pub fn name(&self) -> String {
         self.item.sig.ident.to_string()
     }
+
+    /// The parameter of that name.
+    pub fn parameter(&self, name: &str) -> Option<&Parameter> {
+        self.parameters
+            .iter()
+            .find(|parameter| parameter.name == name)
+    }
+
+    /// The conditions `#[cfg(…)]` under which the function is compiled: what is generated from it stands under them too.
+    pub fn conditions(&self) -> impl Iterator<Item = &syn::Attribute> {
+        let attributes = self.item.attrs.iter();
+        attributes.filter(|attribute| attribute.path().is_ident("cfg"))
+    }
+
+    /// Every name that the signature binds, those of parameters that can't be taken among them.
+    pub fn bound_names(&self) -> Vec<String> {
+        let patterns = self.item.sig.inputs.iter().filter_map(|input| match input {
+            FnArg::Typed(typed) => Some(typed.pat.as_ref()),
+            FnArg::Receiver(_) => None,
+        });
+        patterns.flat_map(bound_names).collect()
+    }
+}
+
+/// The names that a pattern binds.
+pub(super) fn bound_names(pattern: &Pat) -> Vec<String> {
+    struct Names(Vec<String>);
+    impl<'ast> Visit<'ast> for Names {
+        fn visit_pat_ident(&mut self, name: &'ast syn::PatIdent) {
+            self.0.push(name.ident.to_string());
+        }
+    }
+    let mut names = Names(Vec::new());
+    names.visit_pat(pattern);
+    names.0
 }
 
 impl Module {
@@ -81,6 +121,7 @@ impl Module {
             functions: Vec::new(),
             constants: Vec::new(),
             imports: Imports::default(),
+            cyclic_constants: BTreeSet::new(),
             structs: Vec::new(),
         };
         let Some((_, items)) = &mut item.content else {
@@ -91,19 +132,23 @@ impl Module {
             );
             return module;
         };
+        let mut specialisations = Vec::new();
         for item in items.iter_mut() {
             match item {
-                Item::Fn(function) => module.read_function(function, diagnostics),
+                Item::Fn(function) => {
+                    specialisations.extend(module.read_function(function, diagnostics));
+                }
                 Item::Const(constant) => {
                     module
                         .constants
                         .push((constant.ident.to_string(), (*constant.expr).clone()));
                 }
                 Item::Struct(item) => {
-                    let fields = item
-                        .fields
-                        .iter()
-                        .filter_map(|field| field.ident.as_ref().map(ToString::to_string));
+                    let fields = item.fields.iter().enumerate();
+                    let fields = fields.map(|(position, field)| match &field.ident {
+                        Some(name) => name.to_string(),
+                        None => position.to_string(),
+                    });
                     module
                         .structs
                         .push((item.ident.to_string(), fields.collect()));
@@ -113,6 +158,13 @@ impl Module {
             }
         }
         module.item = item;
+        numbers::check_domains(&module, diagnostics);
+        // Only now all names are known that a new function could meet.
+        for (original, specialisation) in specialisations {
+            module.specialise(&original, specialisation, diagnostics);
+        }
+        numbers::check_targets(&module, diagnostics);
+        cycles::check(&mut module, diagnostics);
         module
     }
 
@@ -123,20 +175,73 @@ impl Module {
             .find(|function| function.item.sig.ident == name)
     }
 
-    fn read_function(&mut self, item: &mut ItemFn, diagnostics: &mut Diagnostics) {
+    /// The fields of a struct of the module by its type or a reference to it; those of a struct from outside are not
+    /// known.
+    pub fn fields_of(&self, ty: &Type) -> Option<&[String]> {
+        match ty {
+            Type::Reference(reference) => self.fields_of(&reference.elem),
+            Type::Paren(paren) => self.fields_of(&paren.elem),
+            Type::Path(path) if path.qself.is_none() => self.fields_at(&path.path),
+            _ => None,
+        }
+    }
+
+    /// The fields of a struct of the module by its path.
+    pub fn fields_at(&self, path: &syn::Path) -> Option<&[String]> {
+        let segments: Vec<&Ident> = path.segments.iter().map(|part| &part.ident).collect();
+        let name = match segments.as_slice() {
+            [name] => name,
+            [own, name] if *own == "self" => name,
+            _ => return None,
+        };
+        let found = self.structs.iter().find(|(known, _)| *name == known);
+        found.map(|(_, fields)| fields.as_slice())
+    }
+
+    fn specialise(
+        &mut self,
+        original: &str,
+        specialisation: Specialisation,
+        diagnostics: &mut Diagnostics,
+    ) {
+        let name = &specialisation.name;
+        if self.function(&name.to_string()).is_some() {
+            diagnostics.error_with_hint(
+                name.span(),
+                format!("the module has a function `{name}` already"),
+                "give the specialisation another name",
+            );
+            return;
+        }
+        let Some(position) = (self.functions.iter()).position(|known| known.name() == original)
+        else {
+            return;
+        };
+        let function = self.functions[position].clone();
+        if let Some(special) = specialise::function(self, &function, specialisation, diagnostics) {
+            self.functions.insert(position, special);
+        }
+    }
+
+    /// Adds a function; what is to be specialised from it, is left for later.
+    fn read_function(
+        &mut self,
+        item: &mut ItemFn,
+        diagnostics: &mut Diagnostics,
+    ) -> Vec<(String, Specialisation)> {
         let attributes = FunctionAttributes::read(&item.attrs, diagnostics);
         let approximated = item
             .attrs
             .iter()
             .any(|attribute| attribute.path().is_ident("approximate"));
-        let before = diagnostics.len();
         item.attrs
             .retain(|attribute| !OWN.iter().any(|name| attribute.path().is_ident(name)));
         if attributes.request.is_some() {
             // Its generated forms may be all that is called.
             item.attrs.push(syn::parse_quote!(#[allow(dead_code)]));
         }
-        let parameters = parameters(item, diagnostics);
+        let before = diagnostics.len();
+        let parameters = signature::read(item, diagnostics);
         let mut function = Function {
             item: item.clone(),
             parameters,
@@ -151,217 +256,23 @@ impl Module {
             specialises: None,
         };
         if let Some(approximation) = &function.approximation {
-            check_approximation(&function, approximation, diagnostics);
+            signature::check_approximation(&function, approximation, diagnostics);
         }
         function.readable =
             diagnostics.len() == before && approximated == function.approximation.is_some();
-        for specialisation in attributes.specialisations {
-            if let Some(special) = specialise(&function, specialisation, diagnostics) {
-                self.functions.push(special);
-            }
+        let name = function.name();
+        if self.function(&name).is_some() {
+            diagnostics.error_with_hint(
+                item.sig.ident.span(),
+                format!("a second function `{name}`"),
+                "a formula is found by its name: give each its own",
+            );
+            return Vec::new();
         }
         self.functions.push(function);
-    }
-}
-
-fn parameters(item: &ItemFn, diagnostics: &mut Diagnostics) -> Vec<Parameter> {
-    if !item.sig.generics.params.is_empty() {
-        diagnostics.error_with_hint(
-            item.sig.generics.span(),
-            "a formula has no generic parameters",
-            "write it for f64; other number types are generated from it",
-        );
-    }
-    item.sig
-        .inputs
-        .iter()
-        .filter_map(|input| parameter(input, diagnostics))
-        .collect()
-}
-
-fn parameter(input: &FnArg, diagnostics: &mut Diagnostics) -> Option<Parameter> {
-    let FnArg::Typed(typed) = input else {
-        diagnostics.error_with_hint(
-            input.span(),
-            "a formula has no `self`",
-            "give the struct as a parameter: c: &Name",
-        );
-        return None;
-    };
-    let Pat::Ident(name) = typed.pat.as_ref() else {
-        diagnostics.error_with_hint(
-            typed.pat.span(),
-            "a parameter is a plain name",
-            "take it apart in the body with `let`",
-        );
-        return None;
-    };
-    let kind = parameter_kind(&typed.ty);
-    if kind.is_none() {
-        diagnostics.error_with_hint(
-            typed.ty.span(),
-            format!(
-                "a parameter can't be of type `{}`",
-                typed.ty.to_token_stream()
-            ),
-            "parameters are f64, [f64; n], or a struct of f64 by reference or value",
-        );
-    }
-    // A parameter of an unusable type is taken as a number, so that its uses are not reported too.
-    let kind = kind.unwrap_or(ParameterKind::Number);
-    Some(Parameter {
-        name: name.ident.clone(),
-        kind,
-        ty: (*typed.ty).clone(),
-    })
-}
-
-fn parameter_kind(ty: &Type) -> Option<ParameterKind> {
-    const OTHER_NUMBERS: [&str; 16] = [
-        "f32", "i8", "i16", "i32", "i64", "i128", "isize", "u8", "u16", "u32", "u64", "u128",
-        "usize", "bool", "char", "String",
-    ];
-    match ty {
-        // Numbers come by value: the generated code computes with them as they are.
-        Type::Reference(reference) => {
-            parameter_kind(&reference.elem).filter(|kind| *kind != ParameterKind::Number)
-        }
-        Type::Paren(paren) => parameter_kind(&paren.elem),
-        Type::Array(array) => {
-            let syn::Expr::Lit(syn::ExprLit {
-                lit: syn::Lit::Int(length),
-                ..
-            }) = &array.len
-            else {
-                return None;
-            };
-            let of_numbers = parameter_kind(&array.elem) == Some(ParameterKind::Number);
-            length
-                .base10_parse()
-                .ok()
-                .filter(|_| of_numbers)
-                .map(ParameterKind::Array)
-        }
-        Type::Path(path) if path.path.is_ident("f64") => Some(ParameterKind::Number),
-        Type::Path(path) => {
-            let last = path.path.segments.last()?;
-            let other = OTHER_NUMBERS.iter().any(|name| last.ident == name);
-            (!other && last.arguments.is_none()).then_some(ParameterKind::Struct)
-        }
-        _ => None,
-    }
-}
-
-fn check_approximation(
-    function: &Function,
-    approximation: &Approximation,
-    diagnostics: &mut Diagnostics,
-) {
-    let fits =
-        matches!(function.parameters.as_slice(), [only] if only.kind == ParameterKind::Number);
-    if !fits {
-        diagnostics.error_with_hint(
-            function.item.sig.inputs.span(),
-            "an approximated function has one number as its parameter",
-            "fix the other parameters in a function of its own, or use them in the function that calls this one",
-        );
-    } else if function
-        .parameters
-        .iter()
-        .all(|parameter| parameter.name != approximation.variable)
-    {
-        diagnostics.error_with_hint(
-            approximation.variable.span(),
-            format!(
-                "`{}` is not the function's parameter",
-                approximation.variable
-            ),
-            format!("write `{}`", function.parameters[0].name),
-        );
-    }
-}
-
-/// The parameters that a specialisation does not replace.
-fn parameters_left(
-    function: &Function,
-    specialisation: &Specialisation,
-    diagnostics: &mut Diagnostics,
-) -> Option<Vec<Parameter>> {
-    let mut left = function.parameters.clone();
-    for (name, _) in &specialisation.replacements {
-        let known = |parameter: &Parameter| parameter.name == *name;
-        if !function.parameters.iter().any(known) {
-            let names = function.parameters.iter();
-            let names: Vec<_> = names.map(|known| known.name.to_string()).collect();
-            diagnostics.error_with_hint(
-                name.span(),
-                format!("`{}` has no parameter `{name}`", function.name()),
-                format!("its parameters are {}", names.join(", ")),
-            );
-            return None;
-        }
-        left.retain(|parameter| parameter.name != *name);
-    }
-    Some(left)
-}
-
-/// The function `special(rest) { original(…replacements…) }`.
-fn specialise(
-    function: &Function,
-    specialisation: Specialisation,
-    diagnostics: &mut Diagnostics,
-) -> Option<Function> {
-    let rest = parameters_left(function, &specialisation, diagnostics)?;
-    let arguments = function.parameters.iter().map(|parameter| {
-        let replacement = specialisation
-            .replacements
-            .iter()
-            .find(|(name, _)| *name == parameter.name);
-        replacement.map_or_else(
-            || parameter.name.to_token_stream(),
-            |(_, expression)| expression.to_token_stream(),
-        )
-    });
-    let (name, original) = (&specialisation.name, &function.item.sig.ident);
-    let (visibility, output) = (&function.item.vis, &function.item.sig.output);
-    let inputs = rest
-        .iter()
-        .map(|Parameter { name, ty, .. }| quote::quote!(#name: #ty));
-    let fixed: Vec<String> = specialisation
-        .replacements
-        .iter()
-        .map(|(name, expression)| format!("`{name} = {}`", expression.to_token_stream()))
-        .collect();
-    let doc = format!(" [`{original}`] with {}.", fixed.join(", "));
-    let item = syn::parse2(quote::quote! {
-        #[doc = #doc]
-        #[allow(dead_code)]
-        #visibility fn #name(#(#inputs),*) #output { #original(#(#arguments),*) }
-    });
-    match item {
-        Ok(item) => Some(Function {
-            item,
-            parameters: rest,
-            request: Some(specialisation.request),
-            domain: function
-                .domain
-                .iter()
-                .filter(|(symbol, ..)| {
-                    let root = symbol.split(['.', '[']).next().unwrap_or_default();
-                    !specialisation
-                        .replacements
-                        .iter()
-                        .any(|(name, _)| name == root)
-                })
-                .cloned()
-                .collect(),
-            approximation: None,
-            readable: function.readable,
-            specialises: Some(function.name()),
-        }),
-        Err(error) => {
-            diagnostics.syntax(&error);
-            None
-        }
+        let specialisations = attributes.specialisations.into_iter();
+        specialisations
+            .map(|special| (name.clone(), special))
+            .collect()
     }
 }

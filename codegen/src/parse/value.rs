@@ -22,6 +22,10 @@ pub enum Value {
     Parameter {
         /// The parameter's name.
         path: String,
+        /// Its fields, where the struct is one of the module.
+        fields: Option<Vec<String>>,
+        /// Fields that have another value: `S { field: a, ..path }`.
+        replaced: Vec<(String, Value)>,
     },
 }
 
@@ -61,6 +65,13 @@ impl Value {
                     fields.iter().map(|(name, _)| format!("`{name}`")).collect();
                 format!("its fields are {}", names.join(", "))
             }
+            Self::Parameter {
+                fields: Some(fields),
+                ..
+            } => {
+                let names: Vec<String> = fields.iter().map(|name| format!("`{name}`")).collect();
+                format!("its fields are {}", names.join(", "))
+            }
             other => other.way_to_a_number().to_owned(),
         }
     }
@@ -94,6 +105,20 @@ impl Value {
         }
     }
 
+    /// The parameter of a struct type that the value is or holds as a whole, which no literal gives the fields of.
+    pub fn whole_parameter(&self) -> Option<&str> {
+        match self {
+            Self::Number(_) => None,
+            Self::Tuple(values) | Self::Array(values) => {
+                values.iter().find_map(Self::whole_parameter)
+            }
+            Self::Struct { fields, .. } => {
+                fields.iter().find_map(|(_, value)| value.whole_parameter())
+            }
+            Self::Parameter { path, .. } => Some(path),
+        }
+    }
+
     /// The same shape with other numbers, taken in order.
     pub fn with_numbers(&self, numbers: &mut impl Iterator<Item = ExprId>) -> Self {
         match self {
@@ -117,7 +142,7 @@ impl Value {
                     .map(|(field, value)| (field.clone(), value.with_numbers(numbers)))
                     .collect(),
             },
-            Self::Parameter { path } => Self::Parameter { path: path.clone() },
+            Self::Parameter { .. } => self.clone(),
         }
     }
 }

@@ -62,3 +62,29 @@ fn factored(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
     common.push((simplify(graph, inner), 1));
     Some(product(graph, common))
 }
+
+/// The sum as one quotient, where all its terms divide by the same and by nothing else: x/r + y/r is (x + y)/r.
+pub fn over_common_divisor(graph: &mut Graph, id: ExprId) -> ExprId {
+    let Node::Sum(terms) = graph.node(id).clone() else {
+        return id;
+    };
+    let divisors = |graph: &Graph, term: ExprId| -> BTreeMap<ExprId, i32> {
+        let factors = parts(graph, term).1.into_iter();
+        factors.filter(|(_, exponent)| *exponent < 0).collect()
+    };
+    let common = divisors(graph, terms[0].0);
+    let same = terms
+        .iter()
+        .all(|(term, _)| divisors(graph, *term) == common);
+    if !same || common.is_empty() || terms.len() < 2 {
+        return id;
+    }
+    let mut above = Vec::new();
+    for (term, coefficient) in terms {
+        let inverse = common.iter().map(|(factor, exponent)| (*factor, -exponent));
+        let factors: Vec<_> = inverse.chain([(term, 1)]).collect();
+        above.push((graph.product(factors), coefficient));
+    }
+    let above = graph.sum(above);
+    graph.product(common.into_iter().chain([(above, 1)]))
+}

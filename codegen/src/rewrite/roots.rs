@@ -5,6 +5,7 @@ use std::collections::{HashMap, HashSet};
 
 use num_traits::One;
 
+use super::fractions::root_of_quotient;
 use super::rules::{exact_root, parts};
 use super::{applied, product, simplify};
 use crate::graph::{ExprId, Function, Graph, Node, Rational};
@@ -13,12 +14,12 @@ use crate::graph::{ExprId, Function, Graph, Node, Rational};
 pub fn share(graph: &Graph, roots: &[ExprId]) -> (Graph, Vec<ExprId>) {
     let shared = differing_by_squares(graph, roots);
     let mut target = Graph::with_symbols_of(graph);
-    let mut coefficients = HashMap::new();
+    let mut known = HashMap::new();
     let roots = graph.rebuild(&mut target, roots, |target, original, image| {
         match target.node(image) {
             Node::Apply(Function::Sqrt, operands) if shared.contains(&original) => {
                 let radicand = operands[0];
-                multiple_of_shared(target, radicand, &mut coefficients).unwrap_or(image)
+                multiple_of_shared(target, radicand, &mut known).unwrap_or(image)
             }
             _ => simplify(target, image),
         }
@@ -33,6 +34,17 @@ pub fn join(graph: &Graph, roots: &[ExprId]) -> (Graph, Vec<ExprId>) {
     let roots = graph.rebuild(&mut target, roots, |target, _, image| {
         let image = simplify(target, image);
         joined(target, image).unwrap_or(image)
+    });
+    (target, roots)
+}
+
+/// Rebuilds the roots of the graph with √(ab)/|b| for √(a/b). It saves a division beside others by b, but ab may leave
+/// the range of numbers where a/b does not.
+pub fn without_quotients(graph: &Graph, roots: &[ExprId]) -> (Graph, Vec<ExprId>) {
+    let mut target = Graph::with_symbols_of(graph);
+    let roots = graph.rebuild(&mut target, roots, |target, _, image| {
+        let image = simplify(target, image);
+        root_of_quotient(target, image).unwrap_or(image)
     });
     (target, roots)
 }
@@ -77,25 +89,32 @@ fn differing_by_squares(graph: &Graph, roots: &[ExprId]) -> HashSet<ExprId> {
     companions.flatten().collect()
 }
 
-/// √radicand as a multiple of the root of its odd factors, each to the power 1, and of the coefficient that the first such
-/// root had. None where the two coefficients do not differ by the square of a rational number.
+/// The first root of each kind: its rational factor, and the odd factors with the signs of their exponents.
+type First = (Rational, Vec<(ExprId, i32)>);
+
+/// √radicand as a multiple of the first root that differs from it by a square: of √(x/y), √(y/x) is the multiple |y/x|, so
+/// that x·y, which may leave the range of numbers, is not computed. None where the two rational factors do not differ by the
+/// square of a rational number.
 fn multiple_of_shared(
     graph: &mut Graph,
     radicand: ExprId,
-    coefficients: &mut HashMap<Vec<ExprId>, Rational>,
+    known: &mut HashMap<Vec<ExprId>, First>,
 ) -> Option<ExprId> {
     let (coefficient, factors) = parts(graph, radicand);
     let odd = odd_factors(&factors);
-    let common = coefficients
-        .entry(odd.clone())
-        .or_insert_with(|| coefficient.clone())
+    let signs = factors.iter().filter(|(_, exponent)| exponent % 2 != 0);
+    let signs = signs.map(|(factor, exponent)| (*factor, exponent.signum()));
+    let (common, first) = known
+        .entry(odd)
+        .or_insert_with(|| (coefficient.clone(), signs.collect()))
         .clone();
     let scale = exact_root(&(coefficient / &common))?;
-    let inner = product(graph, odd.iter().map(|factor| (*factor, 1)).collect());
+    let inner = product(graph, first.clone());
     let inner = graph.scale(inner, common);
     let mut outside = vec![(applied(graph, Function::Sqrt, inner), 1)];
     for (factor, exponent) in factors {
-        let half = exponent.div_euclid(2);
+        let under_root = first.iter().find(|(known, _)| *known == factor);
+        let half = (exponent - under_root.map_or(0, |(_, sign)| *sign)) / 2;
         if half != 0 {
             outside.push((applied(graph, Function::Abs, factor), half));
         }

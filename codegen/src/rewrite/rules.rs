@@ -5,6 +5,14 @@ use std::collections::BTreeMap;
 use num_bigint::BigInt;
 use num_traits::{One, Pow, Signed, Zero};
 
+use super::exponentials::product_of_exponentials;
+use super::fractions::{
+    cancelling_fractions, inverse_root, nested_absolute_fraction, nested_fraction, root_of_quotient,
+};
+use super::signs::{
+    absolute_of_known_sign, absolute_of_product, even_power_of_absolute, number_by_sign,
+    power_of_sign, root_bounds_operand, sign_by_size, sign_of_known_sign, sign_of_product,
+};
 use super::{Rule, applied, product};
 use crate::graph::{ExprId, Function, Graph, Node, Rational, whole};
 
@@ -20,7 +28,18 @@ pub const RULES: &[Rule] = &[
     Rule { name: "product over its root",  pattern: "2.0 * x.powi(2) * y / (x * y).sqrt()",   result: "2.0 * x * (x * y).sqrt()",              given: "",                   apply: product_and_root },
     Rule { name: "square of a sign",       pattern: "x.signum().powi(2) * y",                 result: "y",                                     given: "",                   apply: power_of_sign },
     Rule { name: "number by its sign",     pattern: "x.powi(3) * x.signum()",                 result: "x.powi(2) * x.abs()",                   given: "",                   apply: number_by_sign },
-    Rule { name: "root of a quotient",     pattern: "(x / y).sqrt() / z",                     result: "(x * y).sqrt() / (y.abs() * z)",        given: "",                   apply: root_of_quotient },
+    Rule { name: "size by its sign",       pattern: "x.abs() * x.signum() * y",               result: "x * y",                                 given: "",                   apply: sign_by_size },
+    Rule { name: "size over its number",   pattern: "y * x.abs() / x",                        result: "y * x.signum()",                        given: "",                   apply: sign_by_size },
+    Rule { name: "number over its size",   pattern: "x.powi(3) / x.abs()",                    result: "x.powi(2) * x.signum()",                given: "",                   apply: sign_by_size },
+    Rule { name: "sign of a multiple",     pattern: "(-4.0 * x).signum()",                    result: "-x.signum()",                           given: "",                   apply: sign_of_product },
+    Rule { name: "sign of a power",        pattern: "(x.powi(2) * y.powi(3)).signum()",       result: "y.signum()",                            given: "",                   apply: sign_of_product },
+    Rule { name: "sign of a known sign",   pattern: "(x * y).signum()",                       result: "-x.signum()",                           given: "y < 0.0",            apply: sign_of_product },
+    Rule { name: "sign of a positive",     pattern: "(x + y).signum()",                       result: "1.0",                                   given: "x > 0.0, y >= 0.0",  apply: sign_of_known_sign },
+    Rule { name: "sign of a negative",     pattern: "(x + y).signum()",                       result: "-1.0",                                  given: "x < 0.0, y <= 0.0",  apply: sign_of_known_sign },
+    Rule { name: "size beside its root",   pattern: "x.abs() * x.sqrt()",                     result: "x * x.sqrt()",                          given: "",                   apply: root_bounds_operand },
+    Rule { name: "sign beside its root",   pattern: "x.signum() / (x * y).sqrt()",            result: "1.0 / (x * y).sqrt()",                  given: "y > 0.0",            apply: root_bounds_operand },
+    Rule { name: "fractions that cancel",  pattern: "1.0 / z - x.powi(2) / ((x.powi(2) + y) * z)", result: "y / ((x.powi(2) + y) * z)",        given: "",                   apply: cancelling_fractions },
+    Rule { name: "fractions of a constant difference", pattern: "1.0 / z - (2.0 * x + y).powi(2) / (4.0 * (x.powi(2) + x * y + y.powi(2)) * z)", result: "0.75 * y.powi(2) / ((x.powi(2) + x * y + y.powi(2)) * z)", given: "", apply: cancelling_fractions },
     Rule { name: "inverse root",           pattern: "1.0 / (x / y).sqrt()",                   result: "(y / x).sqrt()",                        given: "",                   apply: inverse_root },
     Rule { name: "nested fraction",        pattern: "1.0 / (x / y - z / w)",                  result: "y * w / (x * w - y * z)",               given: "",                   apply: nested_fraction },
     Rule { name: "nested absolute fraction", pattern: "1.0 / (x / y - z / w).abs()",          result: "y.abs() * w.abs() / (x * w - y * z).abs()", given: "",               apply: nested_absolute_fraction },
@@ -44,6 +63,13 @@ pub const RULES: &[Rule] = &[
     Rule { name: "value at zero",          pattern: "0.0_f64.exp() + 0.0_f64.sin() + 0.0_f64.cos() + 1.0_f64.ln()", result: "2.0",             given: "",                   apply: value_at_number },
 ];
 
+/// Rules that save operations but may lose range, or cost some; each is one of the ways among which the cheapest is chosen.
+#[rustfmt::skip]
+pub const TRIED: &[Rule] = &[
+    Rule { name: "root of a quotient",     pattern: "(x / y).sqrt() / y",                     result: "(x * y).sqrt() / (y.abs() * y)",        given: "",                   apply: root_of_quotient },
+    Rule { name: "product of exps",        pattern: "x.exp() * y.exp() * z",                  result: "(x + y).exp() * z",                     given: "",                   apply: product_of_exponentials },
+];
+
 /// A rational multiple of a product, taken apart.
 pub(crate) fn parts(graph: &Graph, id: ExprId) -> (Rational, Vec<(ExprId, i32)>) {
     match graph.node(id) {
@@ -58,14 +84,18 @@ pub(crate) fn parts(graph: &Graph, id: ExprId) -> (Rational, Vec<(ExprId, i32)>)
 }
 
 /// The operand of an elementary function of one operand.
-fn operand_of(graph: &Graph, id: ExprId, function: Function) -> Option<ExprId> {
+pub(super) fn operand_of(graph: &Graph, id: ExprId, function: Function) -> Option<ExprId> {
     match graph.node(id) {
         Node::Apply(known, operands) if *known == function => operands.first().copied(),
         _ => None,
     }
 }
 
-fn scaled(graph: &mut Graph, coefficient: Rational, factors: Vec<(ExprId, i32)>) -> ExprId {
+pub(super) fn scaled(
+    graph: &mut Graph,
+    coefficient: Rational,
+    factors: Vec<(ExprId, i32)>,
+) -> ExprId {
     let id = product(graph, factors);
     graph.scale(id, coefficient)
 }
@@ -178,238 +208,6 @@ fn product_and_root(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
     None
 }
 
-/// The square of a sign is 1.
-fn power_of_sign(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
-    let Node::Product(factors) = graph.node(id).clone() else {
-        return None;
-    };
-    let mut changed = factors.clone();
-    for (factor, exponent) in &mut changed {
-        if operand_of(graph, *factor, Function::Sign).is_some() {
-            *exponent = exponent.rem_euclid(2);
-        }
-    }
-    (changed != factors).then(|| product(graph, changed))
-}
-
-/// A number times its sign is its size, which keeps a derivative finite where the number is zero.
-fn number_by_sign(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
-    let Node::Product(factors) = graph.node(id).clone() else {
-        return None;
-    };
-    for (sign, exponent) in &factors {
-        let Some(number) = operand_of(graph, *sign, Function::Sign).filter(|_| *exponent == 1)
-        else {
-            continue;
-        };
-        let power = factors.iter().find(|(factor, _)| *factor == number);
-        if let Some((_, power)) = power {
-            let size = (applied(graph, Function::Abs, number), power.signum());
-            let mut changed = factors.clone();
-            changed.extend([(*sign, -1), (number, -power.signum()), size]);
-            return Some(product(graph, changed));
-        }
-    }
-    None
-}
-
-/// Beside another division, √(a/b) is √(ab)/|b|: one division for both.
-fn root_of_quotient(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
-    let Node::Product(factors) = graph.node(id).clone() else {
-        return None;
-    };
-    let has_fraction = |graph: &Graph, id: ExprId| {
-        operand_of(graph, id, Function::Sqrt).is_some_and(|radicand| {
-            parts(graph, radicand)
-                .1
-                .iter()
-                .any(|(_, exponent)| *exponent < 0)
-        })
-    };
-    let fractions = factors
-        .iter()
-        .filter(|(factor, _)| has_fraction(graph, *factor))
-        .count();
-    let divisions = factors
-        .iter()
-        .filter(|(factor, exponent)| *exponent < 0 && !has_fraction(graph, *factor))
-        .count();
-    if fractions == 0 || fractions + divisions < 2 {
-        return None;
-    }
-    let mut changed = Vec::new();
-    for (factor, exponent) in factors {
-        let Some(radicand) =
-            operand_of(graph, factor, Function::Sqrt).filter(|_| has_fraction(graph, factor))
-        else {
-            changed.push((factor, exponent));
-            continue;
-        };
-        let (coefficient, inner) = parts(graph, radicand);
-        let mut joined = Vec::new();
-        for (inner_factor, inner_exponent) in inner {
-            if inner_exponent < 0 {
-                changed.push((
-                    applied(graph, Function::Abs, inner_factor),
-                    inner_exponent * exponent,
-                ));
-            }
-            joined.push((inner_factor, inner_exponent.abs()));
-        }
-        let radicand = scaled(graph, coefficient, joined);
-        changed.push((applied(graph, Function::Sqrt, radicand), exponent));
-    }
-    Some(product(graph, changed))
-}
-
-fn inverse_root(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
-    let Node::Product(factors) = graph.node(id).clone() else {
-        return None;
-    };
-    let (position, radicand) =
-        factors
-            .iter()
-            .enumerate()
-            .find_map(|(position, (factor, exponent))| {
-                let radicand =
-                    operand_of(graph, *factor, Function::Sqrt).filter(|_| *exponent == -1)?;
-                let fraction = parts(graph, radicand)
-                    .1
-                    .iter()
-                    .any(|(_, exponent)| *exponent < 0);
-                fraction.then_some((position, radicand))
-            })?;
-    let flipped = graph.power(radicand, -1);
-    let mut changed = factors;
-    changed[position] = (applied(graph, Function::Sqrt, flipped), 1);
-    Some(product(graph, changed))
-}
-
-/// More denominators than this are not multiplied with each other: their product might leave the range of numbers.
-const MOST_DENOMINATORS: i32 = 3;
-
-/// The least common denominator of a sum's terms, and the sum times it; None where no term is a fraction.
-fn common_denominator(graph: &mut Graph, sum: ExprId) -> Option<(Vec<(ExprId, i32)>, ExprId)> {
-    let Node::Sum(terms) = graph.node(sum).clone() else {
-        return None;
-    };
-    let mut denominator: BTreeMap<ExprId, i32> = BTreeMap::new();
-    for (term, _) in &terms {
-        for (factor, exponent) in parts(graph, *term).1 {
-            if exponent < 0 {
-                let power = denominator.entry(factor).or_insert(0);
-                *power = (*power).max(-exponent);
-            }
-        }
-    }
-    let degree: i32 = denominator.values().sum();
-    if denominator.is_empty() || terms.len() < 2 || degree > MOST_DENOMINATORS {
-        return None;
-    }
-    let denominator: Vec<(ExprId, i32)> = denominator.into_iter().collect();
-    let mut numerators = Vec::new();
-    for (term, coefficient) in terms {
-        let mut factors = denominator.clone();
-        factors.push((term, 1));
-        numerators.push((product(graph, factors), coefficient));
-    }
-    let numerator = graph.sum(numerators);
-    Some((denominator, super::simplify(graph, numerator)))
-}
-
-fn nested_fraction(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
-    let Node::Product(factors) = graph.node(id).clone() else {
-        return None;
-    };
-    for (position, (factor, exponent)) in factors.iter().enumerate() {
-        if *exponent < 0
-            && let Some((denominator, numerator)) = common_denominator(graph, *factor)
-        {
-            let mut changed = factors.clone();
-            changed[position] = (numerator, *exponent);
-            changed.extend(
-                denominator
-                    .into_iter()
-                    .map(|(factor, power)| (factor, -power * exponent)),
-            );
-            return Some(product(graph, changed));
-        }
-    }
-    None
-}
-
-fn nested_absolute_fraction(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
-    let Node::Product(factors) = graph.node(id).clone() else {
-        return None;
-    };
-    for (position, (factor, exponent)) in factors.iter().enumerate() {
-        let inner = operand_of(graph, *factor, Function::Abs).filter(|_| *exponent < 0);
-        if let Some(inner) = inner
-            && let Some((denominator, numerator)) = common_denominator(graph, inner)
-        {
-            let mut changed = factors.clone();
-            changed[position] = (applied(graph, Function::Abs, numerator), *exponent);
-            for (factor, power) in denominator {
-                changed.push((applied(graph, Function::Abs, factor), -power * exponent));
-            }
-            return Some(product(graph, changed));
-        }
-    }
-    None
-}
-
-fn even_power_of_absolute(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
-    let Node::Product(factors) = graph.node(id).clone() else {
-        return None;
-    };
-    let mut changed = factors.clone();
-    for (factor, exponent) in &mut changed {
-        // A divisor stays the size that it is elsewhere, so that one inverse serves both.
-        if *exponent > 0
-            && *exponent % 2 == 0
-            && let Some(inner) = operand_of(graph, *factor, Function::Abs)
-        {
-            *factor = inner;
-        }
-    }
-    (changed != factors).then(|| product(graph, changed))
-}
-
-fn absolute_of_known_sign(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
-    let operand = operand_of(graph, id, Function::Abs)?;
-    let sign = graph.sign(operand);
-    if sign.is_not_negative() {
-        Some(operand)
-    } else if sign.is_not_positive() {
-        Some(graph.negate(operand))
-    } else {
-        None
-    }
-}
-
-/// |xy| = |x||y|, with each factor's sign where it is known.
-fn absolute_of_product(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
-    let operand = operand_of(graph, id, Function::Abs)?;
-    let (coefficient, factors) = parts(graph, operand);
-    if coefficient.is_one()
-        && factors
-            .iter()
-            .all(|(factor, exponent)| (*factor, *exponent) == (operand, 1))
-    {
-        return None;
-    }
-    let mut changed = Vec::new();
-    for (factor, exponent) in factors {
-        let size = if exponent % 2 == 0 {
-            factor
-        } else {
-            applied(graph, Function::Abs, factor)
-        };
-        changed.push((size, exponent));
-    }
-    Some(scaled(graph, coefficient.abs(), changed))
-}
-
 fn even_function(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
     let operand = operand_of(graph, id, Function::Cos)?;
     if let Some(inner) = operand_of(graph, operand, Function::Abs) {
@@ -498,13 +296,24 @@ fn one_of_equals(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
 }
 
 fn extreme_by_sign(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
-    let Node::Apply(function @ (Function::Min | Function::Max), operands) = graph.node(id) else {
+    let Node::Apply(function, operands) = graph.node(id) else {
         return None;
     };
-    let (a, b) = (operands[0], operands[1]);
+    let [a, b, ..] = *operands.as_slice() else {
+        return None;
+    };
     let not_below =
         |x: ExprId, y: ExprId| graph.sign(x).is_not_negative() && graph.sign(y).is_not_positive();
-    let larger_first = *function == Function::Max;
+    let larger_first = match function {
+        Function::Min => false,
+        Function::Max => true,
+        Function::Select if not_below(b, a) => return Some(operands[2]),
+        Function::Select if not_below(a, b) && graph.sign(a) != graph.sign(b) => {
+            let apart = graph.sign(a).is_positive() || !graph.sign(b).zero;
+            return apart.then_some(operands[3]);
+        }
+        _ => return None,
+    };
     if not_below(a, b) {
         Some(if larger_first { a } else { b })
     } else if not_below(b, a) {

@@ -1,11 +1,13 @@
 //! Which column of a table is which input, and which are carried through.
 
 use csv::ByteRecord;
-use rotor_core::rotor::{INPUTS, NumericInput, RotorParameters};
+use rotor_core::rotor::{NumericInput, RotorParameters};
 
 use super::table::Row;
 use crate::failure::Failure;
-use crate::rotor_file::{CHOICES, nearest, set_choice};
+use crate::nearest::meant;
+use crate::rotor_file::{CHOICES, set_choice};
+use crate::shown::brief;
 
 /// The column that says why a result is missing.
 pub(crate) const ERROR: &str = "error";
@@ -72,14 +74,12 @@ impl Columns {
             kept: vec![true; width],
             remarks: Vec::new(),
         };
-        let mut recomputed = Vec::new();
+        let (mut recomputed, mut carried) = (Vec::new(), Vec::new());
         for (index, bytes) in header.fields.iter().enumerate() {
             let heading = String::from_utf8_lossy(bytes).trim().to_owned();
             if results.contains(&heading.as_str()) {
                 columns.kept[index] = false;
-                if heading != ERROR {
-                    recomputed.push(format!("`{heading}`"));
-                }
+                recomputed.push(format!("`{heading}`"));
             } else if let Some(input) = Input::find(&heading) {
                 columns.add(
                     header.line,
@@ -90,9 +90,10 @@ impl Columns {
                     },
                 )?;
             } else {
-                columns.remark_on(&heading);
+                carried.push(heading);
             }
         }
+        columns.remarks.extend(remark_on(&carried));
         if !recomputed.is_empty() {
             let names = recomputed.join(", ");
             columns.remarks.push(format!(
@@ -128,17 +129,12 @@ impl Columns {
         Ok(())
     }
 
-    fn remark_on(&mut self, heading: &str) {
-        let flat = heading.replace(['.', ' ', '-'], "_");
-        let names = INPUTS
+    /// The names of the inputs that have a column.
+    pub(crate) fn input_names(&self) -> Vec<&'static str> {
+        self.inputs
             .iter()
-            .map(|input| input.name)
-            .chain(CHOICES.iter().map(|choice| choice.0));
-        if let Some(near) = nearest(&flat, names) {
-            self.remarks.push(format!(
-                "column `{heading}` is no input and is only carried through; did you mean `{near}`?"
-            ));
-        }
+            .map(|column| column.input.name())
+            .collect()
     }
 
     /// What to tell the user about the header.
@@ -166,11 +162,7 @@ impl Columns {
     ) -> Result<RotorParameters, String> {
         let found = row.fields.len();
         if found != self.width {
-            let fields = if found == 1 { "field" } else { "fields" };
-            return Err(format!(
-                "the row has {found} {fields}, the header has {}",
-                self.width
-            ));
+            return Err(self.wrong_count(row));
         }
         let mut parameters = *base;
         for column in &self.inputs {
@@ -178,9 +170,9 @@ impl Columns {
             let text = std::str::from_utf8(bytes)
                 .map_err(|_| {
                     format!(
-                        "column `{}`: {:?} is not UTF-8",
+                        "column `{}`: \"{}\" is not UTF-8",
                         column.heading,
-                        String::from_utf8_lossy(bytes)
+                        brief(&String::from_utf8_lossy(bytes))
                     )
                 })?
                 .trim();
@@ -196,10 +188,67 @@ impl Columns {
         }
         Ok(parameters)
     }
+
+    /// What is wrong with a row of more or fewer fields than the header. Those beyond it have no column, so that they
+    /// are told here.
+    fn wrong_count(&self, row: &Row) -> String {
+        let found = row.fields.len();
+        let fields = if found == 1 { "field" } else { "fields" };
+        let mut why = format!(
+            "the row has {found} {fields}, the header has {}",
+            self.width
+        );
+        let beyond: Vec<_> = row
+            .fields
+            .iter()
+            .skip(self.width)
+            .map(|field| format!("\"{}\"", String::from_utf8_lossy(field)))
+            .collect();
+        if !beyond.is_empty() {
+            why.push_str(&format!("; beyond it: {}", beyond.join(", ")));
+        }
+        why
+    }
+}
+
+/// Of the columns that are no inputs, at most so many are named; those that look like inputs always are.
+const NAMED: usize = 12;
+
+/// Which columns are carried through as they are, and which inputs some of them may have been meant to be.
+fn remark_on(carried: &[String]) -> Option<String> {
+    let hint = |heading: &String| -> Option<String> {
+        let inputs = meant(heading, None);
+        let names: Vec<_> = inputs
+            .iter()
+            .map(|input| format!("`{}`", input.name))
+            .collect();
+        (!names.is_empty()).then(|| format!("is it {}?", names.join(" or ")))
+    };
+    let (mut doubtful, mut plain) = (Vec::new(), Vec::new());
+    for heading in carried {
+        let name = format!("`{}`", brief(heading));
+        match hint(heading) {
+            Some(hint) => doubtful.push(format!("{name} ({hint})")),
+            None => plain.push(name),
+        }
+    }
+    let more = plain.len().saturating_sub(NAMED);
+    plain.truncate(NAMED);
+    let mut names = [doubtful, plain].concat();
+    if more > 0 {
+        names.push(format!("and {more} more"));
+    }
+    (!names.is_empty()).then(|| {
+        format!(
+            "columns that are no inputs are only carried through: {}",
+            names.join(", ")
+        )
+    })
 }
 
 /// Reads a number and holds it against what the input allows.
-fn number(input: &NumericInput, text: &str) -> Result<f64, String> {
+fn number(input: &NumericInput, cell: &str) -> Result<f64, String> {
+    let text = brief(cell);
     let wants = match input.allowed.to_string().as_str() {
         "finite" => "a finite number is wanted".to_owned(),
         allowed => format!("a number {allowed} is wanted"),
@@ -208,12 +257,12 @@ fn number(input: &NumericInput, text: &str) -> Result<f64, String> {
         return Err(format!("the cell is empty, {wants}"));
     }
     // `nan`, `inf` and `infinity` would be read as floats.
-    let has_letters = text
+    let has_letters = cell
         .chars()
         .any(|letter| letter.is_alphabetic() && !matches!(letter, 'e' | 'E'));
-    let value: f64 = match text.parse() {
+    let value: f64 = match cell.parse() {
         Ok(value) if !has_letters => value,
-        _ if text.contains(',') => {
+        _ if cell.contains(',') => {
             return Err(format!(
                 "\"{text}\" is no number (write a point, not a comma), {wants}"
             ));

@@ -136,15 +136,15 @@ pub(super) fn scale(
     data: impl Iterator<Item = f64>,
     (ends, count): (Ends, f64),
 ) -> Result<Scale, FigureError> {
+    let refused = |low, high| FigureError::Range {
+        figure: figure.name.clone(),
+        axis: axis.label.clone(),
+        low,
+        high,
+    };
     if let Some((low, high)) = axis.range {
         if !(low.is_finite() && high.is_finite() && low < high) {
-            let (figure, axis) = (figure.name.clone(), axis.label.clone());
-            return Err(FigureError::Range {
-                figure,
-                axis,
-                low,
-                high,
-            });
+            return Err(refused(low, high));
         }
         return Ok(Scale::new(low, high, axis.ticks, Ends::Kept, count));
     }
@@ -158,13 +158,7 @@ pub(super) fn scale(
         axis: axis.label.clone(),
     })?;
     if !(high - low).is_finite() {
-        let (figure, axis) = (figure.name.clone(), axis.label.clone());
-        return Err(FigureError::Range {
-            figure,
-            axis,
-            low,
-            high,
-        });
+        return Err(refused(low, high));
     }
     // A single value stands in the middle.
     let around = match high - low {
@@ -268,12 +262,18 @@ impl Space {
         (self.left..=self.right).contains(&x) && (self.top..=self.bottom).contains(&y)
     }
 
+    /// The point inside that is nearest to another one.
+    fn nearest(&self, (x, y): (i32, i32)) -> (i32, i32) {
+        (
+            x.clamp(self.left, self.right),
+            y.clamp(self.top, self.bottom),
+        )
+    }
+
     /// Square of the distance from a point to the nearest point inside.
     fn distance(&self, (x, y): (i32, i32)) -> i64 {
-        let (dx, dy) = (
-            x - x.clamp(self.left, self.right),
-            y - y.clamp(self.top, self.bottom),
-        );
+        let nearest = self.nearest((x, y));
+        let (dx, dy) = (x - nearest.0, y - nearest.1);
         i64::from(dx).pow(2) + i64::from(dy).pow(2)
     }
 
@@ -319,15 +319,20 @@ pub(super) fn annotations(
                 .filter(|&&other| space.holds(other))
                 .count()
                 + placed.iter().filter(|other| space.meets(other)).count();
-            covered + 60 * usize::from(astray) + 1_000 * over + 10_000 * frame.outside(space)
+            let crossed = along
+                .iter()
+                .filter(|&&point| crosses(point, at, space.nearest(at)))
+                .count();
+            covered
+                + 3 * crossed
+                + 60 * usize::from(astray)
+                + 1_000 * over
+                + 10_000 * frame.outside(space)
         };
         let Some(space) = around(at, units(width)).into_iter().min_by_key(cost) else {
             continue;
         };
-        let nearest = (
-            at.0.clamp(space.left, space.right),
-            at.1.clamp(space.top, space.bottom),
-        );
+        let nearest = space.nearest(at);
         if space.distance(at) > i64::from(units(12.0)).pow(2) {
             for style in [
                 WHITE.stroke_width(stroke(2.4)),
@@ -350,36 +355,49 @@ pub(super) fn annotations(
     Ok(())
 }
 
-/// The places for a label of a width about a point, the preferred one first.
+/// Whether a point of a curve lies on the line from an annotated point to its label, away from the annotated point.
+fn crosses(point: (i32, i32), from: (i32, i32), to: (i32, i32)) -> bool {
+    let along = (f64::from(to.0 - from.0), f64::from(to.1 - from.1));
+    let away = (f64::from(point.0 - from.0), f64::from(point.1 - from.1));
+    let length = along.0.hypot(along.1);
+    if length < f64::from(units(12.0)) {
+        return false;
+    }
+    let forward = (along.0 * away.0 + along.1 * away.1) / length;
+    let aside = (along.0 * away.1 - along.1 * away.0).abs() / length;
+    (f64::from(units(6.0))..length).contains(&forward) && aside < f64::from(units(3.0))
+}
+
+/// Distances of a label from its point in pixels.
+const DISTANCES: [f64; 6] = [7.0, 20.0, 38.0, 60.0, 90.0, 130.0];
+
+/// The places for a label of a width about a point, the nearest first.
 fn around((x, y): (i32, i32), width: i32) -> Vec<Space> {
     let (width, height) = (width + units(6.0), units(NOTE_LETTERS + 6.0));
+    let beside = |distance: i32, length: i32| [distance, -distance - length];
     let mut spaces = Vec::new();
-    for distance in [7.0, 20.0, 38.0, 60.0, 90.0, 130.0].map(units) {
-        for (right, below) in [
-            (1, -1),
-            (1, 1),
-            (-1, -1),
-            (-1, 1),
-            (1, 0),
-            (-1, 0),
-            (0, -1),
-            (0, 1),
-        ] {
-            let along = |side: i32, length: i32| match side {
-                1 => distance,
-                -1 => -distance - length,
-                _ => -length / 2,
-            };
-            let (left, top) = (x + along(right, width), y + along(below, height));
-            spaces.push(Space {
-                left,
-                top,
-                right: left + width,
-                bottom: top + height,
-            });
+    for (index, aside) in DISTANCES.map(units).into_iter().enumerate() {
+        for (other, above) in DISTANCES.map(units).into_iter().enumerate() {
+            for left in beside(aside, width) {
+                // Above first.
+                let tops = beside(above, height).into_iter().rev();
+                spaces.extend(tops.map(|top| (2 * (index + other), left, top)));
+            }
         }
+        // A little after the places at a corner that are as near.
+        spaces.extend(beside(aside, width).map(|left| (4 * index + 1, left, -height / 2)));
+        spaces.extend(beside(aside, height).map(|top| (4 * index + 1, -width / 2, top)));
     }
+    spaces.sort_by_key(|(far, ..)| *far);
     spaces
+        .into_iter()
+        .map(|(_, left, top)| Space {
+            left: x + left,
+            top: y + top,
+            right: x + left + width,
+            bottom: y + top + height,
+        })
+        .collect()
 }
 
 /// Points every few pixels along the curves on the page.

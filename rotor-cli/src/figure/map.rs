@@ -8,7 +8,7 @@ use super::frame::{self, Frame, Layout};
 use super::panel::{self, Drawing, Legend, Page};
 use super::text::{self, Fonts, Shape};
 use super::ticks::{Ends, Scale};
-use super::{Axis, Figure, FigureError, Map, Ticks, ticks};
+use super::{Axis, Figure, FigureError, Map, Ticks};
 
 /// Height of a map without its legend in pixels.
 const HEIGHT: f64 = 400.0;
@@ -53,6 +53,13 @@ pub(super) fn layout(
 fn bar_scale(map: &Map) -> Option<Scale> {
     let existing = || map.values.iter().flatten().copied();
     let (low, high) = (existing().reduce(f64::min)?, existing().reduce(f64::max)?);
+    // The contours are ticks of the bar, which goes on to the next ones.
+    if let [first, second, ..] = map.levels[..] {
+        let step = second - first;
+        let (low, high) = ((low / step).floor() * step, (high / step).ceil() * step);
+        let count = ((high - low) / step).round();
+        return Some(Scale::new(low, high, Ticks::Decimal, Ends::Kept, count));
+    }
     // A quantity that is the same everywhere has the middle of the colours.
     let around = if high > low {
         0.0
@@ -88,7 +95,7 @@ pub(super) fn draw(
     if let Some(scale) = bar_scale(map) {
         cells(page, &frame, map, &scale)?;
         bar(page, &frame, map, &scale)?;
-        contour_labels = contours(page, &frame, map, fonts)?;
+        contour_labels = contours(page, &frame, map, (&scale, fonts))?;
     }
     panel::curves(page, &frame, &map.curves)?;
     frame.outline(page)?;
@@ -201,7 +208,7 @@ fn contours(
     page: &Page<'_>,
     frame: &Frame<'_>,
     map: &Map,
-    fonts: &Fonts,
+    (scale, fonts): (&Scale, &Fonts),
 ) -> Result<Vec<(i32, i32)>, Drawing> {
     let line = WHITE.mix(0.9).stroke_width(stroke(1.1));
     let mut taken = frame::along_curves(frame, &map.curves);
@@ -216,7 +223,7 @@ fn contours(
         for segment in &on_page {
             page.draw(&PathElement::new(segment.to_vec(), line))?;
         }
-        let label = ticks::rounded(level);
+        let label = scale.write(level);
         let width = units(fonts.width(&text::parse(&label, Shape::Upright), LETTERS) + 4.0);
         if let Some(at) = roomiest(&on_page, frame, width, &taken) {
             taken.push(at);

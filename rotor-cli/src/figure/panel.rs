@@ -44,6 +44,12 @@ impl<'a> Legend<'a> {
         let mut entries: Vec<Entry<'a>> = Vec::new();
         let mut seen: Vec<(&str, (Mark, usize))> = Vec::new();
         let (mut row, mut x) = (0, 0.0);
+        // Further rows begin below the first entry, not below the title.
+        let indent = if title.is_empty() {
+            0.0
+        } else {
+            fonts.width(&text::parse(title, Shape::Bold), LETTERS) + SPACE.1
+        };
         let mut add = |label: &'a str, look: Option<(Mark, usize)>| {
             let shape = if look.is_some() {
                 Shape::Upright
@@ -52,8 +58,8 @@ impl<'a> Legend<'a> {
             };
             let sample = look.map_or(0.0, |look| sample_width(look.0) + SPACE.0);
             let needed = sample + fonts.width(&text::parse(label, shape), LETTERS);
-            if x > 0.0 && x + needed > width {
-                (row, x) = (row + 1, 0.0);
+            if x > indent && x + needed > width {
+                (row, x) = (row + 1, indent);
             }
             entries.push(Entry {
                 label,

@@ -10,13 +10,20 @@ pub(super) fn write(figure: &Figure) -> Result<String, FigureError> {
     let mut table = csv::Writer::from_writer(Vec::new());
     match &figure.plot {
         Plot::Panels(panels) => {
-            let x = heading(panels.iter().map(|panel| &panel.x));
-            let y = heading(panels.iter().map(|panel| &panel.y));
-            table.write_record(["panel", "curve", &x, &y])?;
+            // Each quantity has its own column; the other panels leave it empty.
+            let quantities = headings(panels.iter().flat_map(|panel| [&panel.x, &panel.y]));
+            let fixed = ["panel".to_owned(), "curve".to_owned()];
+            table.write_record(fixed.iter().chain(&quantities))?;
             for panel in panels {
                 let title = plain(&panel.title);
+                let own = [plain(&panel.x.label), plain(&panel.y.label)];
                 drawn(&panel.curves, &panel.annotations, |curve, x, y| {
-                    table.write_record([&title, curve, x, y])
+                    let cells = quantities.iter().map(|quantity| match &own {
+                        [first, _] if first == quantity => x,
+                        [_, second] if second == quantity => y,
+                        _ => "",
+                    });
+                    table.write_record([title.as_str(), curve].into_iter().chain(cells))
                 })?;
             }
         }
@@ -66,14 +73,14 @@ fn drawn(
 }
 
 /// The labels of the panels' axes, each once.
-fn heading<'a>(axes: impl Iterator<Item = &'a Axis>) -> String {
+fn headings<'a>(axes: impl Iterator<Item = &'a Axis>) -> Vec<String> {
     let mut labels: Vec<String> = Vec::new();
     for label in axes.map(|axis| plain(&axis.label)) {
         if !labels.contains(&label) {
             labels.push(label);
         }
     }
-    labels.join(" | ")
+    labels
 }
 
 /// A number in the shortest form that reads back exactly.

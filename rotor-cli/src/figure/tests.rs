@@ -514,12 +514,15 @@ fn the_table_reads_back_exactly() {
     let mut table = csv::Reader::from_reader(text.as_bytes());
     let header = table.headers().unwrap().clone();
     assert_eq!(
-        &header[2],
-        "crack depth ratio σ = a/R [–] | crack angle φ [rad]"
-    );
-    assert_eq!(
-        &header[3],
-        "width λ_s / ω_st [–] | width λ_c / ω_st & more [–]"
+        header.iter().collect::<Vec<_>>(),
+        [
+            "panel",
+            "curve",
+            "crack depth ratio σ = a/R [–]",
+            "width λ_s / ω_st [–]",
+            "crack angle φ [rad]",
+            "width λ_c / ω_st & more [–]"
+        ]
     );
     let lines: Vec<csv::StringRecord> = table.records().map(Result::unwrap).collect();
     for (line, y) in lines.iter().zip(awkward) {
@@ -531,6 +534,14 @@ fn the_table_reads_back_exactly() {
         assert_eq!(line[3].parse::<f64>().unwrap().to_bits(), y.to_bits());
     }
     assert_eq!((&lines[6][2], &lines[6][3]), ("7.0", ""));
+    for line in &lines {
+        // A point has the quantities of its own panel only.
+        let others = if &line[0] == "(a)" { [4, 5] } else { [2, 3] };
+        assert!(
+            others.iter().all(|&column| line[column].is_empty()),
+            "{line:?}"
+        );
+    }
     assert!(
         lines
             .iter()

@@ -123,23 +123,6 @@ impl Ranged for Scale {
     }
 }
 
-/// A value that need not be on a tick, to six digits.
-pub(super) fn rounded(value: f64) -> String {
-    let magnitude = if value == 0.0 {
-        0.0
-    } else {
-        value.abs().log10().floor()
-    };
-    let decimals = (5.0 - magnitude).clamp(0.0, 15.0) as usize;
-    let text = format!("{value:.decimals$}");
-    let text = if decimals > 0 {
-        text.trim_end_matches('0').trim_end_matches('.')
-    } else {
-        &text
-    };
-    minus(text)
-}
-
 /// A range with a little room at both ends, so that no curve runs along the frame; one that begins
 /// near zero begins at zero.
 fn with_room(low: f64, high: f64) -> (f64, f64) {

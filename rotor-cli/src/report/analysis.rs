@@ -6,6 +6,7 @@ use rotor_core::stability::{self, Ends};
 
 use super::hill::{self, HillEnds, NoHillEnds};
 use crate::failure::Failure;
+use crate::reasons;
 use crate::rotor_file::NamedRotor;
 
 /// The relative difference between Hill's and the exact width above which the report's check fails, where rounding
@@ -97,7 +98,7 @@ impl Analysis {
     ///
     /// # Errors
     ///
-    /// Where the rotor has no coefficients in double precision.
+    /// Where the rotor has no coefficients, or a region no start, in double precision.
     pub(crate) fn new(named: NamedRotor) -> Result<Self, Failure> {
         let rotor = &named.rotor;
         let failed = |error: rotor_core::rotor::NoCoefficients| {
@@ -106,6 +107,12 @@ impl Analysis {
         let compliance = rotor.compliance().map_err(failed)?;
         let coefficients = rotor.coefficients().map_err(failed)?;
         let reference_speed = rotor.reference_speed().map_err(failed)?;
+        let out_of_range = RegionKind::ALL
+            .into_iter()
+            .find_map(|kind| reasons::out_of_range(kind, &coefficients));
+        if let Some(why) = out_of_range {
+            return Err(Failure::input(format!("{}: {why}", named.name)));
+        }
         let (regions, unstable_from) = regions(&coefficients);
         Ok(Self {
             named,
@@ -223,7 +230,7 @@ fn without_hill(kind: RegionKind, c: &Coefficients) -> Result<Region, String> {
     Ok(Region {
         start,
         width: region::width(kind, c).map_err(|error| error.to_string()),
-        exact: region::exact_ends(kind, c).map_err(|error| error.to_string()),
+        exact: region::exact_ends(kind, c).map_err(|error| reasons::of_exact_ends(&error)),
         hill: Err(NoHillEnds::Untold("not computed".to_owned())),
     })
 }

@@ -11,13 +11,16 @@ use rotor_core::region::{self, NoRegion, RegionKind};
 use rotor_core::rotor::{Rotor, RotorParameters};
 
 use super::analysis::Analysis;
-use crate::figure::{Axis, Curve, Dash, Figure, Mark, Panel, Ticks};
+use crate::figure::{Axis, Curve, Dash, Figure, Mark, Panel, Plot, Ticks};
+use crate::shown::shortened;
 use crate::table::shortest;
 
 /// Crack depths of Fig. 6.
 const DEPTHS: [f64; 4] = [0.1, 0.2, 0.25, 0.3];
 /// Crack positions of Figs. 7 to 9.
 const POSITIONS: [f64; 3] = [0.5, 0.4, 0.3];
+/// What captions say of the unit of speed where the crack changes from point to point.
+const OWN_SPEED: &str = "Each width is in units of the reference speed ω_{st} of its own crack.";
 
 /// The paper's values of an input and, if it is another, the rotor's own. The place of a value is its colour, in each
 /// figure the same.
@@ -29,38 +32,61 @@ fn with_own(values: &[f64], own: f64) -> Vec<f64> {
     values
 }
 
-/// All figures, in the order of the paper, the maps at the end.
+/// Longer names of files are shortened in a caption.
+const LONGEST_NAME: usize = 40;
+
+/// All figures, in the order of the paper, then the maps, and at the end those of the upper simple region of a rotor
+/// that has it.
 pub(crate) fn figures(analysis: &Analysis) -> Vec<Figure> {
     let rotor = &analysis.named.rotor;
     let mut figures = vec![
         whirl::figure(rotor),
-        widths::verified(rotor),
+        widths::verified(rotor, &widths::PAPER),
         coefficients::figure(rotor),
-        widths::over_depths(rotor),
-        widths::over_positions(rotor),
+        widths::over_depths(rotor, &widths::PAPER),
+        widths::over_positions(rotor, &widths::PAPER),
         zero_unstable_points::figure(rotor, RegionKind::Simple),
         zero_unstable_points::figure(rotor, RegionKind::Combination),
         maps::figure(rotor, RegionKind::Simple),
         maps::figure(rotor, RegionKind::Combination),
     ];
+    if absence(RegionKind::UpperSimple, rotor).is_empty() {
+        figures.extend([
+            widths::verified(rotor, &widths::UPPER),
+            widths::over_depths(rotor, &widths::UPPER),
+            widths::over_positions(rotor, &widths::UPPER),
+            zero_unstable_points::figure(rotor, RegionKind::UpperSimple),
+        ]);
+    }
     for figure in &mut figures {
-        figure
-            .caption
-            .push_str(&format!(" {}.", rotor_of(analysis)));
+        let rotor = rotor_of(analysis, &figure.plot);
+        figure.caption.push_str(&format!(" {rotor}."));
     }
     figures
 }
 
-/// The rotor and the model, as every caption names them.
-fn rotor_of(analysis: &Analysis) -> String {
+/// The rotor and the model, as every caption names them: without the inputs that the figure varies along an axis.
+fn rotor_of(analysis: &Analysis, plot: &Plot) -> String {
     let p = analysis.named.rotor.parameters();
+    let axes: String = match plot {
+        Plot::Panels(panels) => panels.iter().map(|p| p.x.label.as_str()).collect(),
+        Plot::Map(map) => [map.x.label.as_str(), map.y.label.as_str()].concat(),
+    };
+    let inputs = [
+        ("Δ_d", p.disk_asymmetry),
+        ("σ", p.crack_depth_ratio),
+        ("l_c/*L*", p.crack_position_ratio),
+        ("φ", p.crack_angle),
+    ];
+    let inputs: Vec<_> = inputs
+        .into_iter()
+        .filter(|(symbol, _)| !axes.contains(symbol))
+        .map(|(symbol, value)| format!("{symbol} = {}", number(value)))
+        .collect();
     format!(
-        "Rotor: {}, Δ_d = {}, σ = {}, l_c/*L* = {}, φ = {} where not stated otherwise; crack model {}, edge {}",
-        analysis.named.name,
-        number(p.disk_asymmetry),
-        number(p.crack_depth_ratio),
-        number(p.crack_position_ratio),
-        number(p.crack_angle),
+        "Rotor: {}, {} where not stated otherwise; crack model {}, edge {}",
+        shortened(&analysis.named.name, LONGEST_NAME),
+        inputs.join(", "),
         p.crack_model,
         p.crack_edge
     )
@@ -186,17 +212,11 @@ fn width_symbol(kind: RegionKind) -> &'static str {
     }
 }
 
-/// The regions of the paper's figures with the titles of their panels.
-const PANELS: [(RegionKind, &str); 2] = [
-    (RegionKind::Simple, "(a) SIR"),
-    (RegionKind::Combination, "(b) CIR"),
-];
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::figure::Plot;
     use crate::rotor_file::NamedRotor;
+    use rotor_core::rotor::CrackModel;
 
     fn drawn(rotor: Rotor) -> Vec<Figure> {
         let named = NamedRotor {
@@ -374,10 +394,97 @@ mod tests {
 
     #[test]
     fn captions_have_the_minus_of_typography() {
-        let turned = Rotor::default().with(|p| p.crack_angle = -0.5).unwrap();
+        let turned = Rotor::default().with(|p| p.disk_asymmetry = -0.5).unwrap();
         for figure in drawn(turned) {
-            assert!(figure.caption.contains("φ = −0.5"), "{}", figure.caption);
+            assert!(figure.caption.contains("Δ_d = −0.5"), "{}", figure.caption);
         }
+    }
+
+    #[test]
+    fn captions_name_the_unit_of_speed_and_not_what_an_axis_varies() {
+        let figures = drawn(Rotor::default());
+        for index in [3, 4, 7, 8] {
+            let caption = &figures[index].caption;
+            assert!(caption.contains("of its own crack"), "{caption}");
+            assert!(!caption.contains("φ = 0 where"), "{caption}");
+        }
+        assert!(figures[0].caption.contains("that of the uncracked rotor"));
+        assert!(!figures[5].caption.contains("σ = 0.2"));
+    }
+
+    #[test]
+    fn a_disk_of_negative_asymmetry_closes_the_regions_at_the_other_angle() {
+        let turned = Rotor::default().with(|p| p.disk_asymmetry = -0.2).unwrap();
+        let figures = drawn(turned);
+        for (index, angle, depth) in [
+            (5, "closes the SIR at φ = 0 over", 0.2316),
+            (6, "closes the CIR at φ = π/2 over", 0.2647),
+        ] {
+            let figure = &figures[index];
+            assert!(figure.caption.contains(angle), "{}", figure.caption);
+            let at = panels(figure)[0].annotations[0].at;
+            assert!(
+                (at.0 - depth).abs() < 1e-3 && (at.1 + 0.2).abs() < 1e-9,
+                "{at:?}"
+            );
+        }
+        let Plot::Map(map) = &figures[7].plot else {
+            panic!("a map")
+        };
+        let angles: Vec<f64> = map.annotations.iter().map(|note| note.at.0).collect();
+        assert_eq!(
+            angles,
+            [0.0, std::f64::consts::PI],
+            "closed at 0 is closed at π"
+        );
+    }
+
+    #[test]
+    fn the_upper_simple_region_has_its_figures() {
+        let slender = Rotor::default()
+            .with(|p| p.disk_polar_inertia = 0.8 * p.disk_diametral_inertia)
+            .unwrap();
+        let figures = drawn(slender);
+        let names: Vec<_> = figures[9..]
+            .iter()
+            .map(|figure| figure.name.as_str())
+            .collect();
+        assert_eq!(
+            names,
+            [
+                "figure-4-upper",
+                "figure-6-upper",
+                "figure-7-upper",
+                "figure-8-upper"
+            ]
+        );
+        for figure in &figures[9..] {
+            let curves = &panels(figure)[0].curves;
+            let exist = |curve: &Curve| curve.points.iter().any(|(_, y)| y.is_some());
+            assert!(
+                curves.iter().all(exist) && !curves.is_empty(),
+                "{}",
+                figure.name
+            );
+        }
+        assert_eq!(drawn(Rotor::default()).len(), 9);
+    }
+
+    #[test]
+    fn a_closed_region_and_a_missing_point_are_told() {
+        let uncoupled = Rotor::default()
+            .with(|p| (p.disk_position_ratio, p.crack_depth_ratio) = (0.5, 0.0))
+            .unwrap();
+        let figures = drawn(uncoupled);
+        assert!(panels(&figures[1])[1].note.contains("region is closed"));
+        let simply = Rotor::default()
+            .with(|p| (p.crack_model, p.crack_position_ratio) = (CrackModel::SimplySupported, 0.01))
+            .unwrap();
+        assert!(
+            drawn(simply)[6]
+                .caption
+                .contains("no zero unstable point in this range")
+        );
     }
 
     #[test]

@@ -86,13 +86,27 @@ fn symbol(text: &str) -> Markup {
     let mut parts = text.split('_');
     let first = parts.next().unwrap_or_default();
     html! {
-        (first)
+        (with_low_digits(first))
         @for part in parts {
             @let end = part.find(['/', ' ']).unwrap_or(part.len());
             @let (low, rest) = part.split_at(end);
             sub { (low) } (rest)
         }
     }
+}
+
+/// Digits that are letters of their own, `ε₁₂`, as the subscripts that all others are.
+fn with_low_digits(text: &str) -> Markup {
+    const LOW: std::ops::RangeInclusive<char> = '₀'..='₉';
+    let start = text
+        .find(|letter| LOW.contains(&letter))
+        .unwrap_or(text.len());
+    let (symbol, low) = text.split_at(start);
+    let digits: String = low
+        .chars()
+        .filter_map(|letter| char::from_digit(u32::from(letter).checked_sub(0x2080)?, 10))
+        .collect();
+    html! { (symbol) @if !digits.is_empty() { sub { (digits) } } }
 }
 
 fn figure(picture: &Picture) -> Markup {
@@ -123,6 +137,7 @@ mod tests {
         assert_eq!(symbol("l_d/L").into_string(), "l<sub>d</sub>/L");
         assert_eq!(symbol("× ω_st").into_string(), "× ω<sub>st</sub>");
         assert_eq!(symbol("β").into_string(), "β");
+        assert_eq!(symbol("ε₁₂").into_string(), "ε<sub>12</sub>");
     }
 
     #[test]

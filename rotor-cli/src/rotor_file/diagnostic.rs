@@ -4,9 +4,11 @@ use std::io::IsTerminal as _;
 use std::ops::Range;
 
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
-use rotor_core::rotor::{INPUTS, InvalidRotor, NumericInput, UnknownChoice};
+use rotor_core::rotor::{InvalidRotor, NumericInput, UnknownChoice};
 
-use super::CHOICES;
+use crate::nearest::{input_names, meant, nearest};
+use crate::shown::{brief, shortened};
+use crate::table::{LINE, shortest, significant};
 
 /// One mistake in a file.
 #[derive(Clone, Debug, PartialEq)]
@@ -37,37 +39,71 @@ impl Mistake {
 
     /// A section, or a key outside of any section, that no rotor has.
     pub(crate) fn unknown_section(name: &str, span: Range<usize>, sections: &[&str]) -> Self {
-        let flat = dotted_names().find(|(flat, _)| *flat == name);
+        let flat = input_names().find(|input| input.name == name);
         let help = match (flat, nearest(name, sections.iter().copied())) {
-            (Some((_, (section, key))), _) => format!("write `{key}` under `[{section}]`"),
+            (Some(input), _) => format!("write `{}` under `[{}]`", input.key, input.section),
             (None, Some(section)) => format!("did you mean `{section}`?"),
             (None, None) => format!("the sections are {}", sections.join(", ")),
         };
         Self {
-            title: format!("unknown section or key `{name}`"),
+            title: format!("unknown section or key `{}`", brief(name)),
             mark: Some((span, "no rotor has this".to_owned())),
             help: Some(help),
         }
     }
 
+    /// A key of a section whose header is not there.
+    pub(crate) fn no_header(section: &str, key: &str, span: Range<usize>) -> Self {
+        Self {
+            title: format!("the header `[{section}]` is missing"),
+            mark: Some((span, format!("`{key}` belongs under it"))),
+            help: Some(format!("write `[{section}]` on a line of its own above")),
+        }
+    }
+
+    /// Sections of which nothing is there.
+    pub(crate) fn no_sections(sections: &[&str]) -> Self {
+        let names: Vec<_> = sections.iter().map(|name| format!("`[{name}]`")).collect();
+        let what = if names.len() == 1 {
+            "section"
+        } else {
+            "sections"
+        };
+        let verb = if names.len() == 1 { "is" } else { "are" };
+        Self {
+            title: format!("the {what} {} {verb} missing", names.join(", ")),
+            mark: None,
+            help: Some(COMPLETE.to_owned()),
+        }
+    }
+
     /// A key that its section does not have.
     pub(crate) fn unknown_key(section: &str, key: &str, span: Range<usize>) -> Self {
-        let here = dotted_names()
-            .filter(|(_, (other, _))| *other == section)
-            .map(|(_, (_, key))| key);
-        let elsewhere = dotted_names()
-            .find(|(_, (_, other))| *other == key)
-            .map(|(_, (section, _))| section);
-        let help = match (elsewhere, nearest(key, here.clone())) {
-            (Some(elsewhere), _) => format!("`{key}` belongs under `[{elsewhere}]`"),
-            (None, Some(near)) => format!("did you mean `{near}`?"),
-            (None, None) => format!(
+        let elsewhere = input_names().find(|input| input.key == key);
+        let here = meant(key, Some(section));
+        let help = match (elsewhere, here.as_slice(), meant(key, None).as_slice()) {
+            (Some(input), ..) => format!("`{key}` belongs under `[{}]`", input.section),
+            (None, [_, ..], _) => {
+                let names: Vec<_> = here
+                    .iter()
+                    .map(|input| format!("`{}`", input.key))
+                    .collect();
+                format!("did you mean {}?", names.join(" or "))
+            }
+            (None, [], [input]) => {
+                format!("did you mean `{}` under `[{}]`?", input.key, input.section)
+            }
+            (None, [], _) => format!(
                 "the keys of [{section}] are {}",
-                here.collect::<Vec<_>>().join(", ")
+                input_names()
+                    .filter(|input| input.section == section)
+                    .map(|input| input.key)
+                    .collect::<Vec<_>>()
+                    .join(", ")
             ),
         };
         Self {
-            title: format!("unknown key `{key}` in [{section}]"),
+            title: format!("unknown key `{}` in [{section}]", brief(key)),
             mark: Some((span, "no rotor has this".to_owned())),
             help: Some(help),
         }
@@ -94,10 +130,17 @@ impl Mistake {
         value: f64,
         span: Range<usize>,
     ) -> Self {
-        let invalid = InvalidRotor::OutOfRange { input, value };
+        let allowed = match input.allowed.to_string() {
+            allowed if value.is_finite() || allowed == "finite" => allowed,
+            allowed => format!("finite and {allowed}"),
+        };
+        let space = if input.unit.is_empty() { "" } else { " " };
         Self {
-            title: invalid.to_string(),
-            mark: Some((span, format!("must be {}", input.allowed))),
+            title: format!(
+                "{} is {value}{space}{}; it must be {allowed}",
+                input.name, input.unit
+            ),
+            mark: Some((span, format!("must be {allowed}"))),
             help: None,
         }
     }
@@ -105,58 +148,59 @@ impl Mistake {
     /// A text that is none of the choices of an input.
     pub(crate) fn unknown_choice(unknown: &UnknownChoice, span: Range<usize>) -> Self {
         let near = nearest(&unknown.found, unknown.allowed.split(", "));
+        let told = UnknownChoice {
+            found: shortened(&unknown.found, 14),
+            ..unknown.clone()
+        };
         Self {
-            title: unknown.to_string(),
+            title: told.to_string(),
             mark: Some((span, "none of the choices".to_owned())),
             help: near.map(|near| format!("did you mean \"{near}\"?")),
         }
     }
 
-    /// Inputs that the file does not give.
-    pub(crate) fn missing(inputs: &[&NumericInput]) -> Self {
-        let names: Vec<_> = inputs
-            .iter()
-            .map(|input| format!("{}.{}", input.section, input.key))
-            .collect();
-        let verb = if names.len() == 1 { "is" } else { "are" };
+    /// Keys that a section does not give.
+    pub(crate) fn missing(section: &str, keys: &[&str], header: Range<usize>) -> Self {
+        let title = match keys {
+            [key] => format!("{section}.{key} is missing"),
+            _ => format!("[{section}] lacks {}", keys.join(", ")),
+        };
         Self {
-            title: format!("{} {verb} missing", names.join(", ")),
-            mark: None,
-            help: Some("`rotor init` writes a complete file to start from".to_owned()),
+            title,
+            mark: Some((header, "in this section".to_owned())),
+            help: Some(COMPLETE.to_owned()),
         }
     }
 
     /// Inputs that are each allowed, but not together.
     pub(crate) fn invalid(invalid: &InvalidRotor, span: Option<Range<usize>>) -> Self {
+        let (title, help) = match invalid {
+            InvalidRotor::InertiaRatio {
+                beta,
+                disk_polar_inertia,
+                disk_diametral_inertia,
+            } => (
+                format!(
+                    "beta = disk_polar_inertia / disk_diametral_inertia is {}; it must be > 0 and <= 2",
+                    significant(*beta, 6)
+                ),
+                Some(format!(
+                    "it is {} kg m² / {} kg m²; no rigid body has more than 2",
+                    shortest(*disk_polar_inertia),
+                    shortest(*disk_diametral_inertia)
+                )),
+            ),
+            InvalidRotor::OutOfRange { .. } => (invalid.to_string(), None),
+        };
         Self {
-            title: invalid.to_string(),
+            title,
             mark: span.map(|span| (span, "with this".to_owned())),
-            help: None,
+            help,
         }
     }
 }
 
-/// Every input with its section and key.
-fn dotted_names() -> impl Iterator<Item = (&'static str, (&'static str, &'static str))> + Clone {
-    let numbers = INPUTS
-        .iter()
-        .map(|input| (input.name, (input.section, input.key)));
-    numbers.chain(
-        CHOICES
-            .iter()
-            .map(|&(name, section, key)| (name, (section, key))),
-    )
-}
-
-/// The name nearest to a misspelt one, if one is near: at most a third of its letters differ.
-pub(crate) fn nearest<'a>(misspelt: &str, names: impl Iterator<Item = &'a str>) -> Option<&'a str> {
-    let lower = misspelt.to_lowercase();
-    names
-        .map(|name| (strsim::damerau_levenshtein(&lower, name), name))
-        .filter(|(distance, name)| 3 * distance <= name.chars().count().max(3))
-        .min_by_key(|(distance, _)| *distance)
-        .map(|(_, name)| name)
-}
+const COMPLETE: &str = "`rotor init` writes a complete file to start from";
 
 /// At most so many mistakes are drawn: a file with more is something else than a rotor.
 const MOST: usize = 20;
@@ -169,7 +213,8 @@ pub(crate) fn draw(source: &str, name: &str, mistakes: &[Mistake]) -> String {
         Renderer::styled()
     } else {
         Renderer::plain()
-    };
+    }
+    .term_width(LINE);
     let groups: Vec<_> = mistakes
         .iter()
         .take(MOST)

@@ -3,7 +3,7 @@
 //! Two ways lead from the region's start to its ends.
 //!
 //! 1. With $D\,Φ = m_1 m_2 − |m_{12}|^2$ (source of `frequency_equation`) the point m₁ = m₂ = 0 lies inside the region,
-//!    or is all of it where m₁₂ = 0 (the exact zero unstable point). The ends of m₁ m₂ = t²|m₁₂|² are followed in (ω, Ω)
+//!    or is all of it where m₁₂ = 0 (the exact zero unstable point). The ends of m₁ m₂ = t²|m₁₂|² are followed in (ϖ, Ω)
 //!    from t = 0 to 1, each stage by Newton's iteration. Narrow regions keep all their digits and cannot be missed,
 //!    however large the asymmetries are that nearly cancel.
 //! 2. A region so wide that it runs into another one, or whose roots meet below zero where ω is not real, is found by a
@@ -12,7 +12,8 @@
 
 use super::ends::Ends;
 use super::error::{StabilityError, require};
-use super::frequency_equation::{Displacement, Jet, Minors, phi_from_squares};
+use super::frequency_equation::{Displacement, Minors, phi_from_product};
+use super::number::Jet;
 use super::quartic::squared_offsets;
 use super::whirl::whirl_frequencies;
 use crate::equations::Coefficients;
@@ -43,7 +44,7 @@ const ROUNDING: f64 = 1e-11;
 /// no such pair of ends exists near the start because the region has merged with others.
 pub fn combination_ends(c: &Coefficients, start: f64) -> Result<Ends, StabilityError> {
     require("start", start, start > 0.0, "a positive number")?;
-    let [omega, ..] = whirl_frequencies(c, start)?;
+    let [_, partner, ..] = whirl_frequencies(c, start)?;
     if c.beta >= 2.0 {
         let reason = "no whirl frequencies add up to twice the speed, as beta >= 2";
         return Err(StabilityError::NoRegion {
@@ -51,7 +52,10 @@ pub fn combination_ends(c: &Coefficients, start: f64) -> Result<Ends, StabilityE
             reason,
         });
     }
-    let start = Point { x: omega, y: start };
+    let start = Point {
+        x: partner,
+        y: start,
+    };
     let [first, second] = by_coupling(c, start).or_else(|| by_search(c, start.y)).ok_or(StabilityError::NoRegion {
         kind: "combination",
         reason: "no roots of the quartic meet near the start, or they do so only together with another region",
@@ -62,7 +66,7 @@ pub fn combination_ends(c: &Coefficients, start: f64) -> Result<Ends, StabilityE
     })
 }
 
-/// A point in the plane of two unknowns: (ω, Ω) or (S, Ω²).
+/// A point in the plane of two unknowns: (ϖ, Ω) or (ωϖ, Ω²).
 #[derive(Clone, Copy, Debug)]
 struct Point {
     x: f64,
@@ -78,9 +82,13 @@ impl Point {
         }
     }
 
-    /// The larger coordinate of the vector from `other`.
+    /// The larger coordinate of the vector from `other`, each in parts of this point's. The speed may be a million times
+    /// the frequency ϖ, and both are to be found to the last digit; an x near zero counts by its natural size.
     fn distance(self, other: Self) -> f64 {
-        (self.x - other.x).abs().max((self.y - other.y).abs())
+        let size = self.x.abs() + self.y.abs().min(1.0);
+        let by_x = (self.x - other.x) / size;
+        let by_y = (self.y - other.y) / self.y;
+        by_x.abs().max(by_y.abs())
     }
 }
 
@@ -99,7 +107,7 @@ fn newton(start: Point, correction: impl Fn(Point) -> Point) -> Option<Point> {
     let mut last = f64::INFINITY;
     for _ in 0..NEWTON_STEPS {
         let next = point.along(correction(point), -1.0);
-        let length = next.distance(point) / (point.x.abs() + point.y.abs());
+        let length = point.distance(next);
         if length <= 2.0 * f64::EPSILON {
             return Some(next);
         }
@@ -146,7 +154,7 @@ fn follow(
 }
 
 /// How an end leaves the point m₁ = m₂ = 0 per unit of coupling: with m₁, m₂ linear and m₁₂ constant, m₁ m₂ = |m₁₂|²
-/// and its derivative by ω vanish at m₁ = |m₁₂| √(−∂m₁/∂m₂), m₂ = |m₁₂| √(−∂m₂/∂m₁).
+/// and its derivative by ϖ vanish at m₁ = |m₁₂| √(−∂m₁/∂m₂), m₂ = |m₁₂| √(−∂m₂/∂m₁).
 fn departure(minors: &Minors<Jet>) -> Option<Point> {
     let Minors {
         first,
@@ -163,13 +171,13 @@ fn departure(minors: &Minors<Jet>) -> Option<Point> {
     (velocity.x.is_finite() && velocity.y.is_finite()).then_some(velocity)
 }
 
-/// The minors at (ω, Ω) with the dominant displacements of the two whirls at `start` kept.
+/// The minors at (ϖ, Ω) with the dominant displacements of the two whirls at `start` kept.
 fn minors_near(c: &Coefficients, start: Point) -> impl Fn(Point) -> Minors<Jet> {
     let kept =
-        [start.x, 2.0 * start.y - start.x].map(|omega| Displacement::dominant(c, omega, start.y));
+        [2.0 * start.y - start.x, start.x].map(|omega| Displacement::dominant(c, omega, start.y));
     move |point| {
-        let [omega, speed] = Jet::variables(point.x, point.y);
-        Minors::at(c, kept, omega, speed)
+        let [partner, speed] = Jet::variables(point.x, point.y);
+        Minors::at(c, kept, partner, speed)
     }
 }
 
@@ -193,7 +201,7 @@ fn by_coupling(c: &Coefficients, start: Point) -> Option<[f64; 2]> {
                 ..
             } = minors(point);
             let gap = first * second - coupling_squared * (part * part);
-            // Φ is even in s = ω − Ω, so its derivative by ω vanishes at s = 0 as well, where no two roots S meet:
+            // Φ is even in s = Ω − ϖ, so its derivative by ϖ vanishes at s = 0 as well, where no two roots S meet:
             // the second equation is that derivative over s.
             let offset = point.x - point.y;
             let turning = gap.x / offset;
@@ -273,12 +281,12 @@ fn edge(c: &Coefficients, inside: f64, step: f64) -> Option<f64> {
         .min_by(|a, b| a.im.total_cmp(&b.im))?;
     let end = newton(
         Point {
-            x: meeting.re,
+            x: apart * apart - meeting.re,
             y: apart * apart,
         },
         |point| {
-            let [offset_squared, speed_squared] = Jet::variables(point.x, point.y);
-            let phi = phi_from_squares(c, speed_squared, offset_squared);
+            let [product, speed_squared] = Jet::variables(point.x, point.y);
+            let phi = phi_from_product(c, speed_squared, product);
             solve([phi.x, phi.y, phi.value], [phi.xx, phi.xy, phi.x])
         },
     )?;

@@ -11,7 +11,8 @@
 use nalgebra::{Matrix4, SymmetricEigen, Vector4};
 
 use super::error::{StabilityError, check_coefficients};
-use crate::equations::Coefficients;
+use super::frequency_equation::sine_and_cosine_of_double;
+use crate::equations::{self, Coefficients};
 
 /// The two ends of an instability region, in units of the reference speed; `lower <= upper`, equal at an exact zero
 /// unstable point.
@@ -52,7 +53,7 @@ pub fn simple_region_ends(c: &Coefficients) -> Result<Vec<f64>, StabilityError> 
 
 /// The eigenvalues 1/Ω² of the pencil (J, K), descending.
 fn inverse_square_speeds(c: &Coefficients) -> Result<Vector4<f64>, StabilityError> {
-    let (sine, cosine) = (2.0 * c.crack_angle).sin_cos();
+    let [sine, cosine] = sine_and_cosine_of_double(c.crack_angle);
     let k = |sign: f64, epsilon: f64| 1.0 + sign * cosine * epsilon;
     let (e1, e12, e2) = (
         sine * c.epsilon_1,
@@ -78,7 +79,7 @@ fn inverse_square_speeds(c: &Coefficients) -> Result<Vector4<f64>, StabilityErro
         .cholesky()
         .and_then(|cholesky| cholesky.l().try_inverse());
     let inverse = inverse.ok_or(StabilityError::StiffnessNotPositive {
-        reserve: c.delta - c.gamma * c.gamma,
+        reserve: equations::coupled_stiffness(c),
         epsilon_1: c.epsilon_1,
         epsilon_12: c.epsilon_12,
         epsilon_2: c.epsilon_2,

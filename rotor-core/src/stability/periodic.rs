@@ -3,6 +3,7 @@
 use nalgebra::{Complex, DMatrix};
 
 use super::error::{StabilityError, check_coefficients, require};
+use super::frequency_equation::sine_and_cosine_of_double;
 use crate::equations::Coefficients;
 
 /// A square matrix that varies as constant + cosine · cos ϑ + sine · sin ϑ, with ϑ = frequency × time.
@@ -146,7 +147,7 @@ impl PeriodicSystem {
                      e12,  0.0, 0.0,   e2,
                      0.0, -e12,  e2,  0.0]),
         );
-        let (sine, cosine) = (2.0 * c.crack_angle).sin_cos();
+        let [sine, cosine] = sine_and_cosine_of_double(c.crack_angle);
         let frequency = 2.0 * speed;
         Self::new(
             frequency,

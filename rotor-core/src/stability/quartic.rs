@@ -1,25 +1,32 @@
-//! The exact growth rate, from the quartic in S.
+//! The exact growth rate, from a quartic.
 //!
 //! In the frame that turns with the rotor the coefficients are constant: with ω = Ω + s, Φ(Ω + s, Ω) of Eq. (22) is a
-//! real quartic in S = s² with the leading coefficient 1 − Δ_d². The motion is stable when all four roots are real and
-//! not negative, and the growth rate is max |Im s|.
+//! real quartic in S = s², and likewise in the product P = ωϖ = Ω² − S, each with the leading coefficient 1 − Δ_d². The
+//! motion is stable when all four roots S are real and not negative, and the growth rate is max |Im s|.
 //!
-//! Real or complex is not decided by a tolerance. A well separated pair is told by the sign of the discriminant of its
-//! 2 × 2 block in the Schur form. A pair that nearly meets is told by the sign of Φ at the extremum between the two,
-//! computed from the minors (see the source of `frequency_equation`), where it keeps its digits: the growth rate is
-//! then right down to the end of a region, where it starts as a square root. A root that passes zero has the sign of
-//! the constant coefficient, which has its own well-conditioned form.
+//! The roots are taken in P: near β = 2 all S are Ω² but for their last digits, while the P are as far apart as the
+//! whirls. Nearly meeting roots, which begin and end a combination region, lose half of the digits to whatever rounding
+//! the coefficients have, wherever they meet. So the coefficients and the factors P² + aP + b of the quartic are
+//! computed in 32 digits, after which the sign of a factor's discriminant tells real roots from complex ones, and a
+//! growth rate keeps its digits down to the end of a region, where it starts as a square root.
 
+use nalgebra::linalg::balancing::balance_parlett_reinsch;
 use nalgebra::{Complex, Matrix4, Schur};
 
+use super::double_double::DoubleDouble;
 use super::error::{StabilityError, check_coefficients, require};
-use super::frequency_equation::{phi_from_minors, phi_from_squares, quartic_coefficients};
-use crate::equations::Coefficients;
+use super::frequency_equation::quartic_coefficients;
+use crate::equations::{self, Coefficients};
 
 /// Cap on the QR sweeps for the 4 × 4 companion matrix; 10 are common.
 const SWEEPS: usize = 200;
-/// Cap on Newton steps that polish one root.
-const POLISHING: usize = 12;
+/// Cap on Newton steps that polish one factor; 3 are common.
+const POLISHING: usize = 60;
+/// The last of them may be as long as this, in parts of the factor; longer ones are no convergence.
+const POLISHED: f64 = 1e-9;
+/// What 32 digits leave of a difference whose terms are 1: a smaller one counts as zero. It is some hundred roundings,
+/// and the square root of a growth rate of 4e-15.
+const ROUNDING: f64 = 1.0 / (1_u128 << 96) as f64;
 
 /// The growth rate max |Im s| of the rotor at the speed Ω > 0, in units of the reference speed; exactly 0.0 where the
 /// motion is stable (without damping it does not decay either).
@@ -43,7 +50,7 @@ pub fn growth_rate(c: &Coefficients, speed: f64) -> Result<f64, StabilityError> 
     let roots = squared_offsets(c, speed)?;
     let symmetric =
         c.epsilon_1 == 0.0 && c.epsilon_12 == 0.0 && c.epsilon_2 == 0.0 && c.disk_asymmetry == 0.0;
-    if symmetric && c.delta > c.gamma * c.gamma {
+    if symmetric && equations::coupled_stiffness(c) > 0.0 {
         // Constant coefficients, no damping, positive stiffness: nothing grows, also where two frequencies coincide
         // and rounding would have to decide.
         return Ok(0.0);
@@ -74,27 +81,29 @@ fn growth_of(root: &Complex<f64>) -> f64 {
 pub fn squared_offsets(c: &Coefficients, speed: f64) -> Result<[Complex<f64>; 4], StabilityError> {
     check_coefficients(c)?;
     require("speed", speed, speed > 0.0, "a positive number")?;
-    let coefficients = quartic_coefficients(c, speed);
-    let mut roots = companion_roots(&coefficients)?;
-    // Expanding Φ into powers of S costs digits that its products keep; only the slope is taken from the expansion. At
-    // S = 0 the constant coefficient has its own, better form.
-    let product_form = |offset_squared: Complex<f64>| {
-        phi_from_squares(c, Complex::new(speed * speed, 0.0), offset_squared)
-    };
-    let correction = product_form(Complex::new(0.0, 0.0)) * -1.0 + coefficients[0];
-    for root in &mut roots {
-        *root = polish(*root, |x| {
-            (product_form(x) + correction, horner(&coefficients, x).1)
-        });
-    }
-    settle_close_pairs(c, speed, &coefficients, &mut roots);
-    Ok(roots)
+    let [c0, c1, c2, c3, leading] = quartic_coefficients(c, speed);
+    let monic = [c0, c1, c2, c3].map(|coefficient| coefficient / leading);
+    let speed_squared = DoubleDouble::from(speed) * DoubleDouble::from(speed);
+    let [first, second] = factors(&monic)?.map(|factor| offsets(factor, speed_squared));
+    Ok([first[0], first[1], second[0], second[1]])
 }
 
-/// Eigenvalues of the companion matrix, scaled so that the largest root is about 1.
-fn companion_roots(coefficients: &[f64; 5]) -> Result<[Complex<f64>; 4], StabilityError> {
-    let [a0, a1, a2, a3, a4] = *coefficients;
-    let [b0, b1, b2, b3] = [a0 / a4, a1 / a4, a2 / a4, a3 / a4];
+/// A real quadratic factor x² + ax + b of the quartic.
+#[derive(Clone, Copy, Debug)]
+struct Factor {
+    a: DoubleDouble,
+    b: DoubleDouble,
+}
+
+/// The two factors of the monic quartic, each of two roots that are nearer to each other than to the rest.
+fn factors(monic: &[DoubleDouble; 4]) -> Result<[Factor; 2], StabilityError> {
+    let [first, second] = pairs(&companion_roots(&monic.map(DoubleDouble::rounded))?);
+    Ok([polish(monic, first)?, polish(monic, second)?])
+}
+
+/// Eigenvalues of the companion matrix, scaled so that the largest root is about 1 and then balanced.
+fn companion_roots(monic: &[f64; 4]) -> Result<[Complex<f64>; 4], StabilityError> {
+    let [b0, b1, b2, b3] = *monic;
     let scale = b3
         .abs()
         .max(b2.abs().sqrt())
@@ -102,21 +111,21 @@ fn companion_roots(coefficients: &[f64; 5]) -> Result<[Complex<f64>; 4], Stabili
         .max(b0.abs().sqrt().sqrt());
     require(
         "the quartic's coefficients",
-        scale,
-        true,
+        b0 + b1 + b2 + b3,
+        scale.is_finite(),
         "finite numbers (is the speed too large?)",
     )?;
     if scale == 0.0 {
         return Ok([Complex::new(0.0, 0.0); 4]);
     }
-    let square = scale * scale;
     #[rustfmt::skip]
-    let companion = Matrix4::new(
-        -b3 / scale, -b2 / square, -b1 / (square * scale), -b0 / (square * square),
+    let mut companion = Matrix4::new(
+        -b3 / scale, -b2 / scale / scale, -b1 / scale / scale / scale, -b0 / scale / scale / scale / scale,
         1.0, 0.0, 0.0, 0.0,
         0.0, 1.0, 0.0, 0.0,
         0.0, 0.0, 1.0, 0.0,
     );
+    balance_parlett_reinsch(&mut companion);
     let schur =
         Schur::try_new(companion, f64::EPSILON, SWEEPS).ok_or(StabilityError::NoConvergence {
             what: "the roots of the quartic",
@@ -126,126 +135,123 @@ fn companion_roots(coefficients: &[f64; 5]) -> Result<[Complex<f64>; 4], Stabili
     Ok(roots.into())
 }
 
-/// Value and derivative of a polynomial.
-fn horner(coefficients: &[f64; 5], x: Complex<f64>) -> (Complex<f64>, Complex<f64>) {
-    let zero = Complex::new(0.0, 0.0);
-    coefficients
-        .iter()
-        .rev()
-        .fold((zero, zero), |(value, slope), a| {
-            (value * x + *a, slope * x + value)
-        })
+/// The roots in two pairs: the nearest two, by the sizes of the roots, that may be the roots of a real factor, and the
+/// others.
+fn pairs(roots: &[Complex<f64>; 4]) -> [[Complex<f64>; 2]; 2] {
+    let complex = roots.iter().filter(|root| root.im != 0.0).count();
+    // A complex root pairs with its conjugate; where only two are complex, the real ones are a pair by that.
+    let may_pair = |a: &Complex<f64>, b: &Complex<f64>| {
+        complex == 0 || (a.im == 0.0) == (b.im == 0.0) && (a.im + b.im).abs() <= 1e-6 * a.im.abs()
+    };
+    let distance = |a: &Complex<f64>, b: &Complex<f64>| {
+        if may_pair(a, b) {
+            (a - b).norm() / (a.norm() + b.norm()).max(f64::MIN_POSITIVE)
+        } else {
+            f64::INFINITY
+        }
+    };
+    let [r0, r1, r2, r3] = *roots;
+    let splits = [
+        [[r0, r1], [r2, r3]],
+        [[r0, r2], [r1, r3]],
+        [[r0, r3], [r1, r2]],
+    ];
+    let nearest = |split: &[[Complex<f64>; 2]; 2]| {
+        let [first, second] = split.map(|[a, b]| distance(&a, &b));
+        // Of two forbidden pairs, or of one, neither is near.
+        if first.max(second).is_finite() {
+            first.min(second)
+        } else {
+            f64::INFINITY
+        }
+    };
+    let mut best = splits[0];
+    for split in &splits[1..] {
+        if nearest(split) < nearest(&best) {
+            best = *split;
+        }
+    }
+    best
 }
 
-/// Newton's iteration on `(value, slope)` while its steps get smaller. Real roots stay exactly real.
+/// The factor with the two roots, by Bairstow's iteration: Newton's on the remainder of the division by it, in 32 digits,
+/// with the slopes in 16.
 fn polish(
-    start: Complex<f64>,
-    value_and_slope: impl Fn(Complex<f64>) -> (Complex<f64>, Complex<f64>),
-) -> Complex<f64> {
-    let mut root = start;
+    monic: &[DoubleDouble; 4],
+    [first, second]: [Complex<f64>; 2],
+) -> Result<Factor, StabilityError> {
+    let [c0, c1, c2, c3] = *monic;
+    let mut factor = Factor {
+        a: DoubleDouble::from(-(first + second).re),
+        b: DoubleDouble::from((first * second).re),
+    };
     let mut last = f64::INFINITY;
     for _ in 0..POLISHING {
-        let (value, slope) = value_and_slope(root);
-        let step = value / slope;
-        let size = step.norm();
-        // At a vanishing slope the step is not a number.
-        if size.is_nan() || size >= 0.5 * last {
+        let Factor { a, b } = factor;
+        // The quotient x² + q₁x + q₀ and the remainder r₁x + r₀.
+        let q1 = c3 - a;
+        let q0 = c2 - b - a * q1;
+        let r1 = (c1 - b * q1 - a * q0).rounded();
+        let r0 = (c0 - b * q0).rounded();
+        let (apart, turned) = ((b - q0).rounded(), (q1 - a).rounded());
+        let [r1_by_a, r1_by_b] = [apart + a.rounded() * turned, -turned];
+        let [r0_by_a, r0_by_b] = [b.rounded() * turned, apart];
+        let determinant = r1_by_a * r0_by_b - r1_by_b * r0_by_a;
+        let step_a = (r1 * r0_by_b - r1_by_b * r0) / determinant;
+        let step_b = (r1_by_a * r0 - r1 * r0_by_a) / determinant;
+        let size = a.rounded().abs().max(b.rounded().abs().sqrt());
+        let length = (step_a / size).abs().max((step_b / size / size).abs());
+        // Not a number where the factors have a root in common, or everything is zero.
+        if length.is_nan() || length >= 0.9 * last {
             break;
         }
-        root -= step;
-        last = size;
-    }
-    root
-}
-
-/// Recomputes each pair of roots that nearly meets at a positive S from the quartic shifted to the extremum between
-/// them, with the value there from the minors.
-fn settle_close_pairs(
-    c: &Coefficients,
-    speed: f64,
-    coefficients: &[f64; 5],
-    roots: &mut [Complex<f64>; 4],
-) {
-    for (i, j) in [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)] {
-        let (first, second) = (roots[i], roots[j]);
-        if let Some(pair) = close_pair(c, speed, coefficients, first, second) {
-            [roots[i], roots[j]] = pair;
+        factor = Factor {
+            a: a + -step_a,
+            b: b + -step_b,
+        };
+        last = length;
+        if length == 0.0 {
+            break;
         }
     }
+    // The first step already is not a number at an exact multiple root, where the start is all there is.
+    if last.is_finite() && last > POLISHED {
+        return Err(StabilityError::NoConvergence {
+            what: "the roots of the quartic",
+            iterations: POLISHING,
+        });
+    }
+    Ok(factor)
 }
 
-/// The two roots as ± around their extremum, if they are near enough for the parabola there to tell them.
-fn close_pair(
-    c: &Coefficients,
-    speed: f64,
-    coefficients: &[f64; 5],
-    first: Complex<f64>,
-    second: Complex<f64>,
-) -> Option<[Complex<f64>; 2]> {
-    let middle = 0.5 * (first.re + second.re);
-    let apart = (first - second).norm();
-    if middle <= 0.0 || apart > 0.1 * middle {
-        return None;
-    }
-    let center = extremum(coefficients, middle)?;
-    let mut local = shifted(coefficients, center);
-    local[0] = phi_from_minors(c, speed + center.max(0.0).sqrt(), speed)?;
-    let [_, _, b2, b3, b4] = local;
-    let reach_squared = -local[0] / b2;
-    let reach = reach_squared.abs().sqrt();
-    let parabola = (center - middle).abs() <= apart.max(1e-6 * middle)
-        && b3.abs() * reach < 0.1 * b2.abs()
-        && b4.abs() * reach * reach < 0.1 * b2.abs();
-    if !parabola {
-        return None;
-    }
-    let offset = if reach_squared >= 0.0 {
-        Complex::new(reach, 0.0)
-    } else {
-        Complex::new(0.0, reach)
-    };
-    if reach == 0.0 {
-        return Some([Complex::new(center, 0.0); 2]);
-    }
-    // b₁ is rounding noise here and would only move the centre.
-    local[1] = 0.0;
-    let local_polynomial = |t| horner(&local, t);
-    let upper = polish(offset, local_polynomial);
-    let lower = if offset.im == 0.0 {
-        polish(-offset, local_polynomial)
-    } else {
-        upper.conj()
-    };
-    Some([upper + center, lower + center])
-}
-
-/// The extremum of the polynomial near `start`, by Newton's iteration on its derivative.
-fn extremum(coefficients: &[f64; 5], start: f64) -> Option<f64> {
-    let mut center = start;
-    for _ in 0..POLISHING {
-        let [_, b1, b2, _, _] = shifted(coefficients, center);
-        let step = b1 / (2.0 * b2);
-        center -= step;
-        if step.abs() <= 1e-13 * center.abs() {
-            return Some(center);
+/// The two offsets S = Ω² − P of a factor.
+fn offsets(Factor { a, b }: Factor, speed_squared: DoubleDouble) -> [Complex<f64>; 2] {
+    let center = a * -0.5;
+    let square = center * center;
+    let discriminant = square - b;
+    let offset = |product: DoubleDouble| {
+        let offset = speed_squared - product;
+        let size = (speed_squared + product.abs()).rounded();
+        if offset.rounded().abs() <= ROUNDING * size {
+            0.0
+        } else {
+            offset.rounded()
         }
+    };
+    let size = (square + b.abs()).rounded();
+    if discriminant.rounded().abs() <= ROUNDING * size {
+        return [Complex::new(offset(center), 0.0); 2];
     }
-    None
-}
-
-/// The coefficients of p(center + t) in powers of t.
-fn shifted(coefficients: &[f64; 5], center: f64) -> [f64; 5] {
-    let [mut a0, mut a1, mut a2, mut a3, a4] = *coefficients;
-    // Repeated synthetic division.
-    a3 += center * a4;
-    a2 += center * a3;
-    a1 += center * a2;
-    a0 += center * a1;
-    a3 += center * a4;
-    a2 += center * a3;
-    a1 += center * a2;
-    a3 += center * a4;
-    a2 += center * a3;
-    a3 += center * a4;
-    [a0, a1, a2, a3, a4]
+    let reach = discriminant.abs().sqrt();
+    if discriminant.rounded() < 0.0 {
+        let root = Complex::new(offset(center), reach.rounded());
+        return [root, root.conj()];
+    }
+    // The root that is not a difference, and the other one from their product.
+    let larger = if center.rounded() < 0.0 {
+        center - reach
+    } else {
+        center + reach
+    };
+    [larger, b / larger].map(|product| Complex::new(offset(product), 0.0))
 }

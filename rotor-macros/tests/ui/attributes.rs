@@ -32,6 +32,16 @@ mod formulas {
         x * x
     }
 
+    #[generate(budget(operations = 0))]
+    pub fn budget_of_nothing(x: f64) -> f64 {
+        x * x
+    }
+
+    #[generate(value, budget(operations = 1, operations = 5))]
+    pub fn two_budgets(x: f64) -> f64 {
+        x * x
+    }
+
     #[generate(value, budget(operations = 1, div = 0))]
     pub fn small_budget(x: f64, y: f64) -> f64 {
         (x * x + y) / (1.0 + x)
@@ -58,6 +68,46 @@ mod formulas {
     pub fn wrong_domain(x: f64) -> f64 {
         x * x
     }
+
+    #[domain(0.0 < x < 1.0)]
+    #[approximate(x = 0.0..=1.0 tolerance = 1e-3)]
+    #[specialise(chained x = 1.0)]
+    pub fn no_lists(x: f64) -> f64 {
+        x * x
+    }
+
+    pub struct Crack {
+        pub beta: f64,
+        pub mu: f64,
+    }
+
+    #[domain(c.bta > 0.0, c > 0.0, c[0] > 0.0, x.y > 0.0, a[7] > 0.0, none[0] > 0.0)]
+    #[generate(value, gradient(c.depth_ratio, c.beto, omga))]
+    pub fn of_no_numbers(c: &Crack, x: f64, a: [f64; 2], none: [f64; 0], omega: f64) -> f64 {
+        let _ = none;
+        c.beta * c.mu * x * a[0] * omega
+    }
+
+    #[domain(c > 0.0, c.unheard_of > 0.0)]
+    #[generate(gradient(c.unheard_of))]
+    pub fn of_an_outer_struct(c: &super::Outer) -> f64 {
+        c.depth
+    }
+
+    #[generate(gradient(x))]
+    pub fn of_nothing() -> f64 {
+        1.0
+    }
+
+    #[domain(x > 0.0, y >= 0.0, x < 0.0, y <= 0.0)]
+    #[generate(value)]
+    pub fn contradiction(x: f64, y: f64) -> f64 {
+        x.abs() * y
+    }
+}
+
+pub struct Outer {
+    pub depth: f64,
 }
 
 fn main() {

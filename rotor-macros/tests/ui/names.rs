@@ -22,6 +22,10 @@ mod formulas {
         c.first * c.second
     }
 
+    pub fn of_sides(s: &super::Sides) -> f64 {
+        s.width * s.height
+    }
+
     pub fn unknown(omega: f64) -> f64 {
         omga + unheard_of + prodct(omega, 1.0) + far_away(omega)
     }
@@ -35,7 +39,30 @@ mod formulas {
     }
 
     pub fn arguments(x: f64, c: &Pair) -> f64 {
-        product(x) + product([x, x], x) + of_pair(x)
+        product(x) + product([x, x], c) + of_pair(x)
+    }
+
+    pub fn arguments_of_unknown(x: f64) -> f64 {
+        far_away(unknown_1) + product(unknown_2) + x.sinh(unknown_3) + x.max(unknown_4, unknown_5)
+    }
+
+    pub fn ambiguous_pair(a: f64, b_c: f64, a_b: f64, c: f64) -> f64 {
+        a * b_c + a_b * c
+    }
+
+    pub fn ambiguous_name(x: f64, y: f64, x_y: f64) -> f64 {
+        x * y * x_y
+    }
+
+    pub fn ambiguous_field(c: &Pair, c_first: f64) -> f64 {
+        c.first * c_first
+    }
+
+    #[generate(value)]
+    pub fn ambiguous(x: f64, c: &Pair) -> f64 {
+        ambiguous_pair::d_a_b_c(x, x, x, x)
+            + ambiguous_name::d_x_y(x, x, x)
+            + ambiguous_field::d_c_first(c, x)
     }
 
     pub fn shapes(x: f64) -> f64 {
@@ -46,8 +73,8 @@ mod formulas {
         a[2] + a[0 + 1] + x[0] + t.2 + p.third + x.y + t.sqrt() + b + c
     }
 
-    pub fn partials(x: f64, c: &Pair) -> f64 {
-        product::d_z(x, x) + both::d_x(x) + of_pair::d_c_first(Pair { first: x })
+    pub fn partials(x: f64) -> f64 {
+        product::d_z(x, x) + both::d_x(x) + of_sides::d_s_width(&super::Sides { width: x }) + product::d_xy(x, x)
     }
 
     pub fn no_value(x: f64) -> f64 {

@@ -25,6 +25,67 @@ mod formulas {
     }
 
     #[generate(value)]
+    pub fn with_mistakes_inside(n: usize, x: f64) -> f64 {
+        n[0] + n.first + unheard_of + x
+    }
+
+    #[generate(value)]
+    pub unsafe fn not_safe(x: f64) -> f64 {
+        x
+    }
+
+    #[generate(value)]
+    pub async fn later(x: f64) -> f64 {
+        x
+    }
+
+    #[generate(value)]
+    pub fn other_shape(x: f64) -> (f64, f64) {
+        x
+    }
+
+    #[generate(value)]
+    pub fn other_length(x: f64) -> [f64; 3] {
+        return [x, x];
+    }
+
+    pub struct Crack {
+        pub beta: f64,
+        pub mu: f64,
+    }
+
+    #[generate(value)]
+    pub fn other_struct(x: f64) -> Crack {
+        x * x
+    }
+
+    #[generate(value)]
+    pub fn no_type(x: f64) {
+        (x, [x, x])
+    }
+
+    #[generate(value)]
+    pub fn unknown_fields(c: &Crack) -> Crack {
+        let beta = c.betta + c.unheard_of;
+        Crack { beta, my: c.mu, first: 1.0 }
+    }
+
+    #[generate(value)]
+    pub fn incomplete(c: &Crack) -> Crack {
+        Crack { beta: c.beta }
+    }
+
+    #[generate(value)]
+    pub fn pass(c: Crack) -> Crack {
+        c
+    }
+
+    #[generate(value)]
+    pub fn updated(c: Crack) -> (f64, Crack) {
+        (c.mu, Crack { beta: 1.0, ..c })
+    }
+
+    #[generate(value)]
     pub fn caller(c: &Pair) -> f64 {
         generic(c.first, c.second) + c.second
     }

@@ -53,8 +53,7 @@ mod formulas {
 
     pub fn made_of_parts(x: f64) -> Pair {
         let place = Place { 0: x };
-        let other = Pair { first: x, second: x };
-        Pair { first: place.0, ..other }
+        Pair { first: place.0, ..x }
     }
 
     #[generate(value)]
@@ -75,8 +74,48 @@ mod formulas {
     }
 
     #[allow(unconditional_recursion)]
+    #[generate(value)]
     pub fn recursive(x: f64) -> f64 {
         x * recursive(x - 1.0)
+    }
+
+    #[allow(unconditional_recursion)]
+    #[generate(value)]
+    pub fn there(x: f64) -> f64 {
+        1.0 + back(x)
+    }
+
+    #[allow(unconditional_recursion)]
+    #[generate(value)]
+    pub fn back(x: f64) -> f64 {
+        2.0 * there(x) * unheard_of
+    }
+
+    #[approximate(x = 0.0..=1.0, tolerance = 1e-3)]
+    #[generate(value)]
+    pub fn table_of_helper(x: f64) -> f64 {
+        1.0 + helper(x)
+    }
+
+    pub fn helper(x: f64) -> f64 {
+        table_of_helper::d_x(x)
+    }
+
+    pub const FIRST: f64 = 2.0 * SECOND;
+    pub const SECOND: f64 = FIRST;
+
+    #[generate(value)]
+    pub fn of_a_cycle(x: f64) -> f64 {
+        x * FIRST
+    }
+
+    pub fn large_power(x: f64) -> f64 {
+        x.powi(1000)
+    }
+
+    #[generate(value)]
+    pub fn larger_power(x: f64) -> f64 {
+        large_power(large_power(large_power(x)))
     }
 }
 

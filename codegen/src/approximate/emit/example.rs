@@ -4,6 +4,8 @@
 /// The fit: relative error 2.0e-14 at most where measured, tolerance 1.0e-13.
 /// Relative error of the fit's first derivative, by |f'| and |f|/width: about 3.0e-12.
 /// Outside that interval the outer piece is continued.
+///
+/// Operations: 4 add, 4 mul, 0 div, 0 sqrt, 0 call; 2 comparisons find the piece.
 #[inline]
 fn example_fit(x: f64) -> f64 {
     /// Per piece: its middle, 2 / its width, and the coefficients of t⁰, t¹, ….
@@ -36,6 +38,8 @@ fn example_fit(x: f64) -> f64 {
 /// Exact derivative of order 1 of a fit, with relative error 2.0e-14 at most where measured, tolerance 1.0e-13.
 /// Relative error of the fit's first derivative, by |f'| and |f|/width: about 3.0e-12.
 /// Outside that interval the outer piece is continued.
+///
+/// Operations: 3 add, 3 mul, 0 div, 0 sqrt, 0 call; 2 comparisons find the piece.
 #[inline]
 fn example_slope(x: f64) -> f64 {
     /// Per piece: its middle, 2 / its width, and the coefficients of t⁰, t¹, ….
@@ -60,6 +64,8 @@ fn example_slope(x: f64) -> f64 {
 /// The fit: relative error 2.0e-14 at most where measured, tolerance 1.0e-13.
 /// Relative error of the fit's first derivative, by |f'| and |f|/width: about 3.0e-12.
 /// Outside that interval the outer piece is continued.
+///
+/// Operations: 2 add, 2 mul, 0 div, 0 sqrt, 0 call.
 #[inline]
 fn example_line(x: f64) -> f64 {
     /// Per piece: its middle, 2 / its width, and the coefficients of t⁰, t¹, ….

@@ -7,9 +7,10 @@ use syn::spanned::Spanned;
 use syn::{Expr, Pat};
 
 use super::{Reader, Scope, identifier, partial_symbols};
-use crate::diagnostics::nearest;
+use crate::diagnostics::{Diagnostics, alike, nearest};
 use crate::graph::{ExprId, SymbolId};
 use crate::parse::module::{Function, ParameterKind};
+use crate::parse::numbers;
 use crate::parse::value::Value;
 
 impl<'m> Reader<'m> {
@@ -19,6 +20,7 @@ impl<'m> Reader<'m> {
         scope: &mut Scope,
     ) -> Option<Value> {
         let Expr::Path(path) = call.func.as_ref() else {
+            self.all(call.args.iter(), scope);
             return self.unsupported(
                 call.func.span(),
                 "this call",
@@ -31,32 +33,40 @@ impl<'m> Reader<'m> {
             .iter()
             .map(|segment| segment.ident.to_string())
             .collect();
-        match segments.as_slice() {
-            [name] if name == "integral" && self.module.function(name).is_none() => {
-                self.integral(call, scope)
-            }
-            [name] => {
-                let function = self.known_function(name, path.path.span())?;
-                let arguments = self.arguments(function, call, scope)?;
-                self.call_or_table(function, arguments)
-            }
-            [name, partial] => {
-                if name == "f64" {
-                    let hint = format!("write `x.{partial}(…)`");
-                    return self.unsupported(path.path.span(), "a method as a function", &hint);
+        let span = path.path.span();
+        if matches!(segments.as_slice(), [name] if name == "integral" && self.module.function(name).is_none())
+        {
+            return self.integral(call, scope);
+        }
+        let (name, partial) = match segments.as_slice() {
+            [name] => (name, None),
+            [name, partial] if name != "f64" => (name, Some(partial)),
+            segments => {
+                self.all(call.args.iter(), scope);
+                if let [_, method] = segments {
+                    let hint = format!("write `x.{method}(…)`");
+                    return self.unsupported(span, "a method as a function", &hint);
                 }
-                let function = self.known_function(name, path.path.span())?;
-                let arguments = self.arguments(function, call, scope)?;
-                if partial == "value" {
-                    return self.call_or_table(function, arguments);
-                }
-                self.partial(function, partial, arguments, path.path.span())
+                return self.unsupported(
+                    span,
+                    "a call outside the module",
+                    "formulas call formulas of their own module",
+                );
             }
-            _ => self.unsupported(
-                path.path.span(),
-                "a call outside the module",
-                "formulas call formulas of their own module",
-            ),
+        };
+        let Some(function) = self.known_function(name, span) else {
+            self.all(call.args.iter(), scope);
+            return None;
+        };
+        let partial = partial.filter(|partial| *partial != "value");
+        if let Some(partial) = partial {
+            // Entered before it is known to exist, so that a call of one that does not is reported once.
+            self.partials.insert((function.name(), partial.clone()));
+        }
+        let arguments = self.arguments(function, call, scope)?;
+        match partial {
+            Some(partial) => self.partial(function, partial, arguments, span),
+            None => self.call_or_table(function, arguments, span),
         }
     }
 
@@ -72,9 +82,6 @@ impl<'m> Reader<'m> {
                 .error_with_hint(span, format!("unknown function `{name}`"), hint);
             return None;
         };
-        if self.calls.iter().any(|caller| caller == name) {
-            return self.unsupported(span, "a function that calls itself", "write the terms out");
-        }
         Some(function)
     }
 
@@ -85,9 +92,9 @@ impl<'m> Reader<'m> {
         scope: &mut Scope,
     ) -> Option<Vec<Value>> {
         let expected = function.parameters.len();
+        let arguments = self.all(call.args.iter(), scope);
         if !function.readable {
             // It is reported where it stands.
-            self.all(call.args.iter(), scope);
             return None;
         }
         if call.args.len() != expected {
@@ -108,7 +115,8 @@ impl<'m> Reader<'m> {
             );
             return None;
         }
-        let arguments = self.all(call.args.iter(), scope)?;
+        let arguments = arguments?;
+        let mut all_fit = true;
         for ((argument, parameter), expression) in
             arguments.iter().zip(&function.parameters).zip(&call.args)
         {
@@ -137,10 +145,10 @@ impl<'m> Reader<'m> {
                     ),
                     hint,
                 );
-                return None;
+                all_fit = false;
             }
         }
-        Some(arguments)
+        all_fit.then_some(arguments)
     }
 
     /// A function's value: through its table where it is tabulated, else through its body.
@@ -148,13 +156,14 @@ impl<'m> Reader<'m> {
         &mut self,
         function: &Function,
         arguments: Vec<Value>,
+        span: Span,
     ) -> Option<Value> {
         let Some(approximation) = &function.approximation else {
-            // A function that is wrong in itself is reported where it stands, not at each of its calls.
-            let before = self.diagnostics.clone();
+            let before = self.diagnostics.len();
             let result = self.call(function, arguments);
             if result.is_none() {
-                self.diagnostics = before;
+                let reasons = self.diagnostics.split_off(before);
+                self.explain_failed_call(function, &reasons, span);
             }
             return result;
         };
@@ -180,6 +189,23 @@ impl<'m> Reader<'m> {
         Some(Value::Number(self.graph.multiply(factor, value)))
     }
 
+    /// A function that is wrong in itself is reported where it stands, not at each of its calls; one that only these
+    /// arguments don't suit is reported here.
+    fn explain_failed_call(&mut self, function: &Function, reasons: &Diagnostics, span: Span) {
+        let alone = Reader::new(self.module, self.tables).read(function);
+        if let (Some(_), Some(reason)) = (alone, reasons.first()) {
+            self.diagnostics.error_with_hint(
+                span,
+                format!(
+                    "`{}` can't have these arguments: {}",
+                    function.name(),
+                    reason.message
+                ),
+                reason.hint.clone(),
+            );
+        }
+    }
+
     /// `f::d_x(…)` or `f::d_x_y(…)`: a partial derivative of another formula, at these arguments.
     fn partial(
         &mut self,
@@ -188,11 +214,12 @@ impl<'m> Reader<'m> {
         arguments: Vec<Value>,
         span: Span,
     ) -> Option<Value> {
-        // Entered before it is known to exist, so that a call of one that does not is reported once.
-        self.partials.insert((function.name(), partial.to_owned()));
         let prefix = format!("{}#", function.name());
         let placeholders = self.symbolic_arguments(function, &prefix);
-        let value = match self.call_or_table(function, placeholders)? {
+        for number in numbers::known(self.module, function) {
+            self.graph.symbol_named(&format!("{prefix}{number}"));
+        }
+        let value = match self.call_or_table(function, placeholders, span)? {
             Value::Number(id) => id,
             other => {
                 let message = format!(
@@ -216,7 +243,7 @@ impl<'m> Reader<'m> {
         }
         let names = function.parameters.iter();
         let names = names.map(|parameter| parameter.name.to_string());
-        let scope: Scope = names.zip(arguments).collect();
+        let scope: Scope = names.zip(arguments.into_iter().map(Some)).collect();
         let mut replacements = BTreeMap::new();
         for symbol in self.graph.symbols_of(&[derivative]) {
             let name = self.graph.symbol(symbol).name.clone();
@@ -243,30 +270,59 @@ impl<'m> Reader<'m> {
                 names.push((identifier(path), id));
             }
         }
-        let by = partial
+        let ways = partial
             .strip_prefix("d_")
-            .and_then(|suffix| partial_symbols(suffix, &names));
-        if by.is_none() {
-            let known: Vec<String> = names.iter().map(|(name, _)| format!("d_{name}")).collect();
-            self.diagnostics.error_with_hint(
-                span,
-                format!("`{}` has no partial `{partial}`", function.name()),
-                format!(
-                    "its partials are {} and those by two of these names",
-                    known.join(", ")
-                ),
-            );
+            .map(|suffix| partial_symbols(suffix, &names))
+            .unwrap_or_default();
+        match ways.as_slice() {
+            [by] => return Some(by.clone()),
+            [] => {
+                let known: Vec<String> =
+                    names.iter().map(|(name, _)| format!("d_{name}")).collect();
+                let suffix = partial.strip_prefix("d_").unwrap_or(partial);
+                let hint = match alike(suffix, names.iter().map(|(name, _)| name.as_str())) {
+                    Some(known) => format!("did you mean `d_{known}`?"),
+                    None => format!(
+                        "its partials are {} and those by two of these names",
+                        known.join(", ")
+                    ),
+                };
+                self.diagnostics.error_with_hint(
+                    span,
+                    format!("`{}` has no partial `{partial}`", function.name()),
+                    hint,
+                );
+            }
+            ways => {
+                let name = |symbol: &SymbolId| {
+                    let name = &self.graph.symbol(*symbol).name;
+                    format!("`{}`", name.strip_prefix(prefix).unwrap_or(name))
+                };
+                let ways: Vec<String> = ways
+                    .iter()
+                    .map(|by| by.iter().map(name).collect::<Vec<_>>().join(" and "))
+                    .collect();
+                self.diagnostics.error_with_hint(
+                    span,
+                    format!(
+                        "`{partial}` of `{}` may be that by {}",
+                        function.name(),
+                        ways.join(" or by ")
+                    ),
+                    "rename a parameter, so that there is one way to read it",
+                );
+            }
         }
-        by
+        None
     }
 
     /// The number at `c.beta` or `a[0]` of a scope.
     fn resolve(&mut self, path: &str, scope: &Scope, span: Span) -> Option<ExprId> {
         let expression: Expr = syn::parse_str(path).ok()?;
-        let before = self.diagnostics.clone();
+        let before = self.diagnostics.len();
         let found = self.number(&expression, &mut scope.clone());
         if found.is_none() {
-            self.diagnostics = before;
+            self.diagnostics.split_off(before);
             self.diagnostics.error_with_hint(
                 span,
                 format!("the argument has no `{path}`"),
@@ -315,10 +371,8 @@ impl<'m> Reader<'m> {
             .graph
             .symbol_named(&format!("{variable}@{}", self.integrals));
         let mut inner = scope.clone();
-        inner.insert(
-            variable,
-            Value::Number(self.graph.symbol_expression(symbol)),
-        );
+        let value = Value::Number(self.graph.symbol_expression(symbol));
+        inner.insert(variable, Some(value));
         let integrand = self.number(&closure.body, &mut inner)?;
         Some(Value::Number(
             self.graph.integral(symbol, integrand, lower?, upper?),

@@ -40,23 +40,15 @@ impl<'m> Reader<'m> {
         let receiver = self.number(&call.receiver, scope);
         let name = call.method.to_string();
         let Some((_, arity)) = METHODS.into_iter().find(|(method, _)| *method == name) else {
+            self.all(call.args.iter(), scope);
             // What is no number may well have other methods.
             receiver?;
-            let hint = match name.as_str() {
-                "powf" => "a whole power is `powi(n)`, a root is `sqrt()`, any other is `(y * x.ln()).exp()`".to_owned(),
-                _ => match nearest(&name, METHODS.map(|(method, _)| method)) {
-                    Some(method) => format!("did you mean `{method}`?"),
-                    None => format!("the methods are {}", METHODS.map(|(method, _)| method).join(", ")),
-                },
-            };
-            self.diagnostics.error_with_hint(
-                call.method.span(),
-                format!("unknown method `{name}`"),
-                hint,
-            );
-            return None;
+            return self.unknown_method(&call.method, &METHODS.map(|(method, _)| method));
         };
         if call.args.len() != arity {
+            if name != "powi" {
+                self.all(call.args.iter(), scope);
+            }
             self.diagnostics.error_with_hint(
                 call.method.span(),
                 format!(
@@ -81,6 +73,21 @@ impl<'m> Reader<'m> {
         let arguments: Vec<ExprId> = arguments.into_iter().collect::<Option<_>>()?;
         let result = self.apply(&name, receiver?, &arguments);
         self.of_bounded_size(result, call.span())
+    }
+
+    fn unknown_method(&mut self, method: &syn::Ident, known: &[&str]) -> Option<Value> {
+        let name = method.to_string();
+        let hint = match nearest(&name, known.iter().copied()) {
+            _ if name == "powf" => {
+                "a whole power is `powi(n)`, a root is `sqrt()`, any other is `(y * x.ln()).exp()`"
+                    .to_owned()
+            }
+            Some(method) => format!("did you mean `{method}`?"),
+            None => format!("the methods are {}", known.join(", ")),
+        };
+        self.diagnostics
+            .error_with_hint(method.span(), format!("unknown method `{name}`"), hint);
+        None
     }
 
     /// A product or power, unless its exponents or exact constants grow beyond what any formula has.

@@ -1,11 +1,16 @@
 //! The statements of a formula: bindings, their patterns, and the value that a block ends with.
 
 use syn::spanned::Spanned;
-use syn::visit::Visit;
 use syn::{Expr, Pat, Stmt};
 
 use super::{Reader, Scope};
+use crate::parse::module::bound_names;
 use crate::parse::value::Value;
+
+/// The names of a binding that failed: they count as known, so that its mistake is reported once.
+fn unread(pattern: &Pat) -> impl Iterator<Item = (String, Option<Value>)> {
+    bound_names(pattern).into_iter().map(|name| (name, None))
+}
 
 impl<'m> Reader<'m> {
     /// The block's value; only a function's own block may say `return`, which in another would leave that function.
@@ -74,33 +79,16 @@ impl<'m> Reader<'m> {
                 "a binding needs its value at once",
                 "write `let x = …;`",
             );
-            self.bind_placeholders(&local.pat, scope);
+            scope.extend(unread(&local.pat));
             return None;
         };
         let value = self.expression(&init.expr, scope);
         let failed = value.is_none();
-        // The names of a failed binding count as known, so that one mistake is reported once.
         if self.bind(&local.pat, value, scope).is_none() {
-            self.bind_placeholders(&local.pat, scope);
+            scope.extend(unread(&local.pat));
             return None;
         }
         (!failed).then_some(())
-    }
-
-    /// Makes all names of a pattern known, so that its mistake is reported once.
-    fn bind_placeholders(&mut self, pattern: &Pat, scope: &mut Scope) {
-        struct Names(Vec<String>);
-        impl<'ast> Visit<'ast> for Names {
-            fn visit_pat_ident(&mut self, name: &'ast syn::PatIdent) {
-                self.0.push(name.ident.to_string());
-            }
-        }
-        let mut names = Names(Vec::new());
-        names.visit_pat(pattern);
-        for name in names.0 {
-            let placeholder = Value::Number(self.graph.one());
-            scope.entry(name).or_insert(placeholder);
-        }
     }
 
     fn bind(&mut self, pattern: &Pat, value: Option<Value>, scope: &mut Scope) -> Option<()> {
@@ -112,8 +100,7 @@ impl<'m> Reader<'m> {
                 if let Some(Value::Number(id)) = &value {
                     self.graph.suggest_name(*id, &text);
                 }
-                let placeholder = Value::Number(self.graph.one());
-                scope.insert(text, value.unwrap_or(placeholder));
+                scope.insert(text, value);
                 Some(())
             }
             Pat::Type(typed) => self.bind(&typed.pat, value, scope),

@@ -1,12 +1,14 @@
 //! The width of a region over the crack's angle and depth, as a map with its zero unstable points.
 
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 use rotor_core::region::RegionKind;
 use rotor_core::rotor::Rotor;
 use rotor_core::zero_unstable_point::zup_depth;
 
-use super::{absence, angle_axis, changed, deepest, depth_axis, spaced, width_at, width_symbol};
+use super::{
+    OWN_SPEED, absence, angle_axis, changed, deepest, depth_axis, spaced, width_at, width_symbol,
+};
 use crate::figure::{Annotation, Figure, Map, Plot};
 
 /// Values of each axis.
@@ -28,12 +30,20 @@ pub(super) fn figure(rotor: &Rotor, kind: RegionKind) -> Figure {
         );
     }
     let points = zup_depth(rotor, kind).unwrap_or_default();
+    // The width is the same at φ and φ + π: a point at 0 is one at π, too.
     let annotations = points
         .iter()
         .filter(|point| point.value <= deepest(rotor))
-        .map(|point| Annotation {
-            label: format!("ZUP, σ = {:.4}", point.value),
-            at: (point.crack_angle, point.value),
+        .flat_map(|point| {
+            let angles: &[f64] = if point.crack_angle == 0.0 {
+                &[0.0, PI]
+            } else {
+                &[FRAC_PI_2]
+            };
+            angles.iter().map(|&angle| Annotation {
+                label: format!("ZUP, σ = {:.4}", point.value),
+                at: (angle, point.value),
+            })
         })
         .collect();
     let (name, region) = match kind {
@@ -44,7 +54,7 @@ pub(super) fn figure(rotor: &Rotor, kind: RegionKind) -> Figure {
     Figure {
         name: name.to_owned(),
         caption: format!(
-            "Width {symbol} of the {region} over the crack's angle and depth, Eq. (31)."
+            "Width {symbol} of the {region} over the crack's angle and depth, Eq. (31). {OWN_SPEED}"
         ),
         plot: Plot::Map(Box::new(Map {
             x: angle_axis(),

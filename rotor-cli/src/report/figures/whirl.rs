@@ -40,7 +40,7 @@ pub(super) fn figure(rotor: &Rotor) -> Figure {
     Figure {
         name: "figure-3".to_owned(),
         caption: "Figure 3. Whirl frequencies of the rotor without crack and asymmetry over its speed; the regions \
-                  start where the lines cross ω_1 and ω_2. The starts marked are those without crack and asymmetry."
+                  start where the lines cross ω_1 and ω_2. The starts marked are those without crack and asymmetry, and ω_{st} is that of the uncracked rotor."
             .to_owned(),
         plot: Plot::Panels(vec![panel]),
     }

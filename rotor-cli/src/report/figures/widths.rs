@@ -8,8 +8,8 @@ use rotor_core::region::{self, RegionKind};
 use rotor_core::rotor::Rotor;
 
 use super::{
-    DEPTHS, PANELS, POSITIONS, absence, angle_axis, axis, changed, line, panel, spaced, width_at,
-    width_symbol, with_own,
+    DEPTHS, OWN_SPEED, POSITIONS, absence, angle_axis, axis, changed, line, panel, spaced,
+    width_at, width_symbol, with_own,
 };
 use crate::figure::{Axis, Curve, Dash, Figure, Mark, Panel, Plot, Symbol};
 use crate::report::hill;
@@ -19,64 +19,88 @@ const ANGLES: usize = 12 * FLOQUET_INTERVALS + 1;
 /// Points by Floquet theory, less one.
 const FLOQUET_INTERVALS: usize = 16;
 
+/// The panels of a figure, and what its name has behind its number.
+pub(super) struct Shown {
+    panels: &'static [(RegionKind, &'static str)],
+    suffix: &'static str,
+    /// And its caption.
+    what: &'static str,
+}
+
+/// The regions of the paper.
+pub(super) const PAPER: Shown = Shown {
+    panels: &[
+        (RegionKind::Simple, "(a) SIR"),
+        (RegionKind::Combination, "(b) CIR"),
+    ],
+    suffix: "",
+    what: "",
+};
+/// The upper simple region, which few rotors have: often so wide that beside the simple one nothing else would be seen.
+pub(super) const UPPER: Shown = Shown {
+    panels: &[(RegionKind::UpperSimple, "upper SIR")],
+    suffix: "-upper",
+    what: ", upper SIR",
+};
+
+impl Shown {
+    fn figure(
+        &self,
+        number: u32,
+        caption: String,
+        rotor: &Rotor,
+        curves: impl Fn(RegionKind) -> Vec<Curve>,
+    ) -> Figure {
+        let panels = self
+            .panels
+            .iter()
+            .map(|&(kind, title)| width_panel(rotor, kind, title, curves(kind)));
+        Figure {
+            name: format!("figure-{number}{}", self.suffix),
+            caption: format!("Figure {number}{}. {caption}", self.what),
+            plot: Plot::Panels(panels.collect()),
+        }
+    }
+}
+
 /// Fig. 4: approximate, exact, and by Floquet theory.
-pub(super) fn verified(rotor: &Rotor) -> Figure {
-    let panels = PANELS.map(|(kind, title)| {
-        let curves = changed(rotor, |_| {}).map_or_else(Vec::new, |c| three_ways(kind, &c));
-        width_panel(rotor, kind, title, curves)
-    });
-    figure(
-        "figure-4",
-        "Figure 4. Widths of the instability regions over the crack angle: the approximation of Eq. (31), the exact \
-         width, and Floquet theory by Hill's method.",
-        panels,
-    )
+pub(super) fn verified(rotor: &Rotor, shown: &Shown) -> Figure {
+    let c = changed(rotor, |_| {});
+    let caption = "Widths of the instability regions over the crack angle: the approximation of Eq. (31), the exact \
+                   width, and Floquet theory by Hill's method.";
+    shown.figure(4, caption.to_owned(), rotor, |kind| {
+        c.as_ref().map_or_else(Vec::new, |c| three_ways(kind, c))
+    })
 }
 
 /// Fig. 6: for several crack depths.
-pub(super) fn over_depths(rotor: &Rotor) -> Figure {
-    let variants: Vec<_> = with_own(&DEPTHS, rotor.parameters().crack_depth_ratio)
-        .into_iter()
-        .map(|depth| {
-            (
-                format!("σ = {depth}"),
-                changed(rotor, |p| p.crack_depth_ratio = depth),
-            )
-        })
-        .collect();
-    figure(
-        "figure-6",
-        "Figure 6. Effect of the crack's depth upon the widths, Eq. (31).",
-        PANELS
-            .map(|(kind, title)| width_panel(rotor, kind, title, variant_curves(kind, &variants))),
-    )
+pub(super) fn over_depths(rotor: &Rotor, shown: &Shown) -> Figure {
+    let depths = with_own(&DEPTHS, rotor.parameters().crack_depth_ratio);
+    let variants = depths.into_iter().map(|depth| {
+        let c = changed(rotor, |p| p.crack_depth_ratio = depth);
+        (format!("σ = {depth}"), c)
+    });
+    over(rotor, shown, (6, "depth"), &variants.collect::<Vec<_>>())
 }
 
 /// Fig. 7: for several crack positions.
-pub(super) fn over_positions(rotor: &Rotor) -> Figure {
-    let variants: Vec<_> = with_own(&POSITIONS, rotor.parameters().crack_position_ratio)
-        .into_iter()
-        .map(|position| {
-            (
-                format!("l_c = {position} *L*"),
-                changed(rotor, |p| p.crack_position_ratio = position),
-            )
-        })
-        .collect();
-    figure(
-        "figure-7",
-        "Figure 7. Effect of the crack's position upon the widths, Eq. (31).",
-        PANELS
-            .map(|(kind, title)| width_panel(rotor, kind, title, variant_curves(kind, &variants))),
-    )
+pub(super) fn over_positions(rotor: &Rotor, shown: &Shown) -> Figure {
+    let positions = with_own(&POSITIONS, rotor.parameters().crack_position_ratio);
+    let variants = positions.into_iter().map(|position| {
+        let c = changed(rotor, |p| p.crack_position_ratio = position);
+        (format!("l_c = {position} *L*"), c)
+    });
+    over(rotor, shown, (7, "position"), &variants.collect::<Vec<_>>())
 }
 
-fn figure(name: &str, caption: &str, panels: [Panel; 2]) -> Figure {
-    Figure {
-        name: name.to_owned(),
-        caption: caption.to_owned(),
-        plot: Plot::Panels(panels.into()),
-    }
+/// A rotor with something changed: what, and its coefficients if it has any.
+type Variant = (String, Option<Coefficients>);
+
+fn over(rotor: &Rotor, shown: &Shown, (number, what): (u32, &str), variants: &[Variant]) -> Figure {
+    let caption = format!("Effect of the crack's {what} upon the widths, Eq. (31). {OWN_SPEED}");
+    shown.figure(number, caption, rotor, |kind| {
+        variant_curves(kind, variants)
+    })
 }
 
 fn width_panel(rotor: &Rotor, kind: RegionKind, title: &str, curves: Vec<Curve>) -> Panel {
@@ -86,10 +110,24 @@ fn width_panel(rotor: &Rotor, kind: RegionKind, title: &str, curves: Vec<Curve>)
         .flat_map(|curve| &curve.points)
         .filter_map(|(_, y)| *y)
         .fold(0.0, f64::max);
+    let drawn = curves
+        .iter()
+        .any(|curve| curve.points.iter().any(|(_, y)| y.is_some()));
     // From zero, so that a region that closes is seen to close.
     let range = Some((0.0, if most > 0.0 { 1.05 * most } else { 0.1 }));
+    let note = match absence(kind, rotor) {
+        absence if absence.is_empty() && drawn && most == 0.0 => {
+            "the region is closed: its width is 0 at every angle".to_owned()
+        }
+        absence => absence,
+    };
+    let curves = if absence(kind, rotor).is_empty() {
+        curves
+    } else {
+        Vec::new()
+    };
     Panel {
-        note: absence(kind, rotor),
+        note,
         ..panel(title, angle_axis(), Axis { range, ..y }, curves)
     }
 }
@@ -142,9 +180,9 @@ fn three_ways(kind: RegionKind, c: &Coefficients) -> Vec<Curve> {
     ]
 }
 
-fn variant_curves(kind: RegionKind, variants: &[(String, Option<Coefficients>)]) -> Vec<Curve> {
+fn variant_curves(kind: RegionKind, variants: &[Variant]) -> Vec<Curve> {
     let angles = spaced(0.0, PI, ANGLES);
-    let curve = |(index, (label, c)): (usize, &(String, Option<Coefficients>))| {
+    let curve = |(index, (label, c)): (usize, &Variant)| {
         let width = |angle| c.as_ref().and_then(|c| width_at(kind, c, angle));
         line(
             label,

@@ -1,0 +1,67 @@
+//! Formulas in stages: what is generated along an inner parameter, and the tables of code that runs in packs.
+
+use proc_macro2::TokenStream;
+use quote::format_ident;
+
+use super::fallback::staged_stub;
+use super::text::output_names;
+use super::{Expansion, derive};
+use crate::emit::namer::{pack_table_function, table_function};
+use crate::emit::scalar::Form;
+use crate::emit::staged;
+use crate::factor::circuit::{Circuit, Operation};
+use crate::graph::{Graph, SymbolId};
+use crate::parse::attributes::StageRequest;
+use crate::parse::module::Function;
+use crate::stage::{self, Staged};
+
+impl Expansion {
+    /// The module of a staged form.
+    pub fn staged_item(&mut self, function: &Function, request: &StageRequest) -> TokenStream {
+        match self.staged(function, request) {
+            Some((staged, inner, outputs)) => {
+                self.use_tables(&staged.graph, &staged.fixed);
+                for circuit in [&staged.along, &staged.points] {
+                    self.use_tables_in_packs(&staged.graph, circuit);
+                }
+                staged::module(&staged, function, &inner, &outputs)
+            }
+            None => staged_stub(function, request),
+        }
+    }
+
+    /// A function in stages, its inner symbols, and the names of its results. None where it could not be read or a name is
+    /// unknown, which is reported.
+    pub fn staged(
+        &mut self,
+        function: &Function,
+        request: &StageRequest,
+    ) -> Option<(Staged, Vec<SymbolId>, Vec<String>)> {
+        let inner = self.symbols(function, &request.inner)?;
+        let formula = self.formula(&function.name())?;
+        let (graph, outputs) = derive(formula, Form::Value, &[]);
+        let names = output_names(&formula.value, &graph, &[]);
+        let set = inner.iter().copied().collect();
+        let circuit = stage::minimise(&graph, &outputs, &set);
+        Some((stage::split(&graph, &circuit, &set), inner, names))
+    }
+
+    /// The tables of a circuit that runs in packs.
+    pub(super) fn use_tables_in_packs(&mut self, graph: &Graph, circuit: &Circuit) {
+        self.use_tables(graph, circuit);
+        for net in circuit.nets() {
+            if let Operation::Tabulated { table, order, .. } =
+                circuit.operation(net)
+                && let Some(known) = graph.tables.get(*table)
+            {
+                let name = table_function(graph, *table, *order);
+                let pack_name = pack_table_function(&name);
+                let idents = [&name, &pack_name].map(|name| format_ident!("{name}"));
+                let [name, of_pack] = &idents;
+                self.used_tables
+                    .entry(pack_name)
+                    .or_insert_with(|| known.derivative(*order).emit_for_packs(name, of_pack));
+            }
+        }
+    }
+}

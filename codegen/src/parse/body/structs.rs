@@ -1,0 +1,162 @@
+//! Structs: their fields, and the literals that make them.
+
+use quote::ToTokens;
+use syn::spanned::Spanned;
+
+use super::{Reader, Scope};
+use crate::diagnostics::nearest;
+use crate::parse::value::Value;
+
+impl<'m> Reader<'m> {
+    pub(super) fn field(&mut self, field: &syn::ExprField, scope: &mut Scope) -> Option<Value> {
+        let base = self.expression(&field.base, scope)?;
+        let member = field.member.to_token_stream().to_string();
+        let (description, mut hint) = (base.description(), base.known_fields());
+        let found = match base {
+            Value::Parameter {
+                path,
+                fields,
+                replaced,
+            } => {
+                let fields = fields.as_deref();
+                if let Some((_, value)) = replaced.into_iter().find(|(name, _)| *name == member) {
+                    Some(value)
+                } else if fields.is_none_or(|fields| fields.contains(&member)) {
+                    let id = self.graph.symbol_named(&format!("{path}.{member}"));
+                    Some(Value::Number(self.graph.symbol_expression(id)))
+                } else {
+                    let known = fields.unwrap_or_default().iter().map(String::as_str);
+                    if let Some(known) = nearest(&member, known) {
+                        hint = format!("did you mean `{known}`?");
+                    }
+                    None
+                }
+            }
+            Value::Struct { fields, .. } => fields
+                .into_iter()
+                .find(|(name, _)| *name == member)
+                .map(|(_, value)| value),
+            Value::Tuple(mut values) => member
+                .parse()
+                .ok()
+                .filter(|position| *position < values.len())
+                .map(|position| values.swap_remove(position)),
+            Value::Number(_) | Value::Array(_) => None,
+        };
+        if found.is_none() {
+            self.diagnostics.error_with_hint(
+                field.member.span(),
+                format!("{description} has no field `{member}`"),
+                hint,
+            );
+        }
+        found.inspect(|value| self.note(value))
+    }
+
+    pub(super) fn struct_literal(
+        &mut self,
+        literal: &syn::ExprStruct,
+        scope: &mut Scope,
+    ) -> Option<Value> {
+        let values = self.all(literal.fields.iter().map(|field| &field.expr), scope);
+        let base = match &literal.rest {
+            Some(rest) => Some(self.base(rest, scope)?),
+            None => None,
+        };
+        let complete = self.check_fields(literal);
+        let mut fields = Vec::new();
+        for (field, value) in literal.fields.iter().zip(values?) {
+            let syn::Member::Named(name) = &field.member else {
+                return self.unsupported(
+                    field.member.span(),
+                    "a field without a name",
+                    "use a tuple",
+                );
+            };
+            if let Value::Number(id) = &value {
+                self.graph.suggest_name(*id, &name.to_string());
+            }
+            fields.push((name.to_string(), value));
+        }
+        complete?;
+        let name = literal.path.to_token_stream().to_string();
+        // What the literal says goes before what is taken over.
+        let taken_over = |fields: &mut Vec<(String, Value)>, others: Vec<(String, Value)>| {
+            for (name, value) in others {
+                if !fields.iter().any(|(known, _)| *known == name) {
+                    fields.push((name, value));
+                }
+            }
+        };
+        match base {
+            Some(Value::Parameter {
+                path,
+                fields: known,
+                replaced,
+            }) => {
+                taken_over(&mut fields, replaced);
+                return Some(Value::Parameter {
+                    path,
+                    fields: known,
+                    replaced: fields,
+                });
+            }
+            Some(Value::Struct { fields: others, .. }) => taken_over(&mut fields, others),
+            _ => {}
+        }
+        Some(Value::Struct { name, fields })
+    }
+
+    /// The struct that a literal takes its other fields from.
+    fn base(&mut self, rest: &syn::Expr, scope: &mut Scope) -> Option<Value> {
+        match self.expression(rest, scope)? {
+            value @ (Value::Struct { .. } | Value::Parameter { .. }) => Some(value),
+            other => {
+                self.diagnostics.error_with_hint(
+                    rest.span(),
+                    format!("`..` needs a struct, this is {}", other.description()),
+                    "name every field",
+                );
+                None
+            }
+        }
+    }
+
+    /// Reports fields that a struct of the module does not have, or that its literal leaves out.
+    fn check_fields(&mut self, literal: &syn::ExprStruct) -> Option<()> {
+        let Some(known) = self.module.fields_at(&literal.path) else {
+            return Some(());
+        };
+        let name = literal.path.to_token_stream().to_string();
+        let mut complete = Some(());
+        let mut given = Vec::new();
+        for field in &literal.fields {
+            let member = field.member.to_token_stream().to_string();
+            if !known.contains(&member) {
+                let hint = match nearest(&member, known.iter().map(String::as_str)) {
+                    Some(known) => format!("did you mean `{known}`?"),
+                    None => format!("its fields are {}", known.join(", ")),
+                };
+                self.diagnostics.error_with_hint(
+                    field.member.span(),
+                    format!("`{name}` has no field `{member}`"),
+                    hint,
+                );
+                complete = None;
+            }
+            given.push(member);
+        }
+        let missing = known.iter().filter(|field| !given.contains(field));
+        let missing: Vec<&str> = missing.map(String::as_str).collect();
+        // A misspelt field is not also a missing one.
+        if complete.is_some() && literal.rest.is_none() && !missing.is_empty() {
+            self.diagnostics.error_with_hint(
+                literal.path.span(),
+                format!("`{name}` is not complete"),
+                format!("give it {} too", missing.join(", ")),
+            );
+            return None;
+        }
+        complete
+    }
+}

@@ -1,0 +1,287 @@
+//! Rules of fractions: one division in place of several, and differences of fractions that lose no digits.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::rules::{operand_of, parts, scaled};
+use super::{applied, product, simplify};
+use crate::factor::fingerprint::{Residue, near};
+use crate::graph::{ExprId, Function, Graph, Node, Rational, ratio};
+
+/// √(a/b) is √(ab)/|b|: one division for it and for what else divides by b.
+pub(super) fn root_of_quotient(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
+    let radicand = operand_of(graph, id, Function::Sqrt)?;
+    let (coefficient, factors) = parts(graph, radicand);
+    if factors.iter().all(|(_, exponent)| *exponent > 0) {
+        return None;
+    }
+    let (mut inside, mut outside) = (Vec::new(), Vec::new());
+    for (factor, exponent) in factors {
+        if exponent < 0 {
+            outside.push((applied(graph, Function::Abs, factor), exponent));
+        }
+        inside.push((factor, exponent.abs()));
+    }
+    let radicand = scaled(graph, coefficient, inside);
+    outside.push((applied(graph, Function::Sqrt, radicand), 1));
+    Some(product(graph, outside))
+}
+
+pub(super) fn inverse_root(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
+    let Node::Product(factors) = graph.node(id).clone() else {
+        return None;
+    };
+    let (position, radicand) =
+        factors
+            .iter()
+            .enumerate()
+            .find_map(|(position, (factor, exponent))| {
+                let radicand =
+                    operand_of(graph, *factor, Function::Sqrt).filter(|_| *exponent == -1)?;
+                let fraction = parts(graph, radicand)
+                    .1
+                    .iter()
+                    .any(|(_, exponent)| *exponent < 0);
+                fraction.then_some((position, radicand))
+            })?;
+    let flipped = graph.power(radicand, -1);
+    let mut changed = factors;
+    changed[position] = (applied(graph, Function::Sqrt, flipped), 1);
+    Some(product(graph, changed))
+}
+
+/// More denominators than this are not multiplied with each other: their product might leave the range of numbers.
+const MOST_DENOMINATORS: i32 = 3;
+
+/// The least common denominator of a sum's terms, and the sum times it; None where no term is a fraction.
+fn common_denominator(graph: &mut Graph, sum: ExprId) -> Option<(Vec<(ExprId, i32)>, ExprId)> {
+    let Node::Sum(terms) = graph.node(sum).clone() else {
+        return None;
+    };
+    let mut denominator: BTreeMap<ExprId, i32> = BTreeMap::new();
+    for (term, _) in &terms {
+        for (factor, exponent) in parts(graph, *term).1 {
+            if exponent < 0 {
+                let power = denominator.entry(factor).or_insert(0);
+                *power = (*power).max(-exponent);
+            }
+        }
+    }
+    let degree: i32 = denominator.values().sum();
+    if denominator.is_empty() || terms.len() < 2 || degree > MOST_DENOMINATORS {
+        return None;
+    }
+    let denominator: Vec<(ExprId, i32)> = denominator.into_iter().collect();
+    let mut numerators = Vec::new();
+    for (term, coefficient) in terms {
+        let mut factors = denominator.clone();
+        factors.push((term, 1));
+        numerators.push((product(graph, factors), coefficient));
+    }
+    let numerator = graph.sum(numerators);
+    Some((denominator, simplify(graph, numerator)))
+}
+
+pub(super) fn nested_fraction(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
+    let Node::Product(factors) = graph.node(id).clone() else {
+        return None;
+    };
+    for (position, (factor, exponent)) in factors.iter().enumerate() {
+        if *exponent < 0
+            && let Some((denominator, numerator)) = common_denominator(graph, *factor)
+        {
+            let mut changed = factors.clone();
+            changed[position] = (numerator, *exponent);
+            changed.extend(
+                denominator
+                    .into_iter()
+                    .map(|(factor, power)| (factor, -power * exponent)),
+            );
+            return Some(product(graph, changed));
+        }
+    }
+    None
+}
+
+pub(super) fn nested_absolute_fraction(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
+    let Node::Product(factors) = graph.node(id).clone() else {
+        return None;
+    };
+    for (position, (factor, exponent)) in factors.iter().enumerate() {
+        let inner = operand_of(graph, *factor, Function::Abs).filter(|_| *exponent < 0);
+        if let Some(inner) = inner
+            && let Some((denominator, numerator)) = common_denominator(graph, inner)
+        {
+            let mut changed = factors.clone();
+            changed[position] = (applied(graph, Function::Abs, numerator), *exponent);
+            for (factor, power) in denominator {
+                changed.push((applied(graph, Function::Abs, factor), -power * exponent));
+            }
+            return Some(product(graph, changed));
+        }
+    }
+    None
+}
+
+/// A product by its factors.
+type Powers = BTreeMap<ExprId, i32>;
+
+/// More terms than this are not tried together, and no sum of more as what they may cancel.
+const MOST_TERMS: usize = 6;
+
+/// Terms of a sum whose common denominator makes them cancel: 1/r − x²/(s·r) with s = x² + y is y/(s·r). As it stands it
+/// is the difference of two nearly equal fractions where y is small beside x².
+pub(super) fn cancelling_fractions(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
+    let Node::Sum(terms) = graph.node(id).clone() else {
+        return None;
+    };
+    let powers: Vec<Powers> = terms
+        .iter()
+        .map(|(term, _)| parts(graph, *term).1.into_iter().collect())
+        .collect();
+    for (first, above) in powers.iter().enumerate() {
+        for divisor in divisors(&powers, above) {
+            let Node::Sum(inner) = graph.node(divisor).clone() else {
+                continue;
+            };
+            // The first term is common · divisor, the others that divide by it are common · quotient.
+            let mut common = above.clone();
+            *common.entry(divisor).or_insert(0) -= 1;
+            let divided: Vec<usize> = (0..terms.len())
+                .filter(|position| powers[*position].get(&divisor) == common.get(&divisor))
+                .collect();
+            let quotients: Vec<(ExprId, Rational)> = divided
+                .iter()
+                .map(|position| {
+                    (
+                        over(graph, &powers[*position], &common),
+                        terms[*position].1.clone(),
+                    )
+                })
+                .collect();
+            let Some((taken, numerator, scale)) =
+                remainder(graph, &inner, &terms[first].1, &quotients)
+            else {
+                continue;
+            };
+            let taken: Vec<usize> = taken.into_iter().map(|place| divided[place]).collect();
+            let rest = terms.iter().enumerate();
+            let mut changed: Vec<_> = rest
+                .filter(|(position, _)| *position != first && !taken.contains(position))
+                .map(|(_, term)| term.clone())
+                .collect();
+            let mut factors: Vec<_> = common.into_iter().collect();
+            factors.push((numerator, 1));
+            changed.push((product(graph, factors), scale));
+            return Some(graph.sum(changed));
+        }
+    }
+    None
+}
+
+/// What some of the terms divide by once more than one of them does.
+fn divisors(powers: &[Powers], above: &Powers) -> BTreeSet<ExprId> {
+    let of_first = |factor: &ExprId| above.get(factor).copied().unwrap_or(0);
+    powers
+        .iter()
+        .flatten()
+        .filter(|(factor, exponent)| **exponent < 0 && of_first(factor) == **exponent + 1)
+        .map(|(factor, _)| *factor)
+        .collect()
+}
+
+/// The quotient of two products.
+fn over(graph: &mut Graph, powers: &Powers, divisor: &Powers) -> ExprId {
+    let inverse = divisor
+        .iter()
+        .map(|(factor, exponent)| (*factor, -exponent));
+    let powers = powers.iter().map(|(factor, exponent)| (*factor, *exponent));
+    graph.product(powers.chain(inverse))
+}
+
+/// a·Σ inner plus some or all of the quotients where that is a shorter sum than the inner one, or a rational multiple of
+/// one of its terms or of 1: which of the quotients, the sum, and a factor.
+fn remainder(
+    graph: &mut Graph,
+    inner: &[(ExprId, Rational)],
+    a: &Rational,
+    quotients: &[(ExprId, Rational)],
+) -> Option<(Vec<usize>, ExprId, Rational)> {
+    for (place, (quotient, b)) in quotients.iter().enumerate() {
+        let opposite = |(operand, q): &(ExprId, Rational)| operand == quotient && a * q == -b;
+        if let Some(position) = inner.iter().position(opposite) {
+            let mut left = inner.to_vec();
+            left.remove(position);
+            return Some((vec![place], graph.sum(left), a.clone()));
+        }
+    }
+    if quotients.len() > MOST_TERMS
+        || inner.len() > MOST_TERMS
+        || !are_alike(graph, inner, quotients)
+    {
+        return None;
+    }
+    let multiplied = inner.iter().map(|(operand, q)| (*operand, a * q));
+    let difference = graph.sum(multiplied.chain(quotients.iter().cloned()));
+    let candidates: Vec<ExprId> = inner.iter().map(|(operand, _)| *operand).collect();
+    let one = graph.one();
+    let (candidate, scale) =
+        rational_multiple(graph, difference, &[candidates, vec![one]].concat())?;
+    Some(((0..quotients.len()).collect(), candidate, scale))
+}
+
+/// Whether the quotients are polynomials in what the terms of a sum are made of, so that they may cancel; a look that is
+/// cheap beside that at the values.
+fn are_alike(
+    graph: &Graph,
+    inner: &[(ExprId, Rational)],
+    quotients: &[(ExprId, Rational)],
+) -> bool {
+    let atoms: BTreeSet<ExprId> = inner
+        .iter()
+        .flat_map(|(operand, _)| parts(graph, *operand).1)
+        .map(|(factor, _)| factor)
+        .chain([graph.one()])
+        .collect();
+    let is_made_of_them = |id: ExprId| {
+        let factors = parts(graph, id).1;
+        factors.iter().all(|(factor, _)| atoms.contains(factor))
+    };
+    quotients.iter().all(|(quotient, _)| {
+        let factors = parts(graph, *quotient).1;
+        factors.into_iter().all(|(factor, exponent)| {
+            let terms = match graph.node(factor) {
+                Node::Sum(terms) => terms.iter().all(|(term, _)| is_made_of_them(*term)),
+                _ => false,
+            };
+            exponent > 0 && (terms || atoms.contains(&factor))
+        })
+    })
+}
+
+/// How deep the terms of a difference are looked into.
+const DEPTH: usize = 6;
+
+/// The first candidate that an expression is a rational multiple of, as told by their values in a prime field.
+fn rational_multiple(
+    graph: &Graph,
+    of: ExprId,
+    candidates: &[ExprId],
+) -> Option<(ExprId, Rational)> {
+    let roots: Vec<ExprId> = [&[of], candidates].concat();
+    let values = [0, 1].map(|point| near(graph, &roots, DEPTH, point));
+    let ratios = values.map(|at| {
+        let divisors = at[1..].iter();
+        divisors
+            .map(|divisor| at[0].times(divisor.inverse()))
+            .collect::<Vec<_>>()
+    });
+    candidates
+        .iter()
+        .enumerate()
+        .find_map(|(place, candidate)| {
+            let [first, second] = [ratios[0][place], ratios[1][place]];
+            let same = first == second && first != Residue::ZERO;
+            let (n, d) = first.as_fraction().filter(|_| same)?;
+            Some((*candidate, ratio(n, d)))
+        })
+}
