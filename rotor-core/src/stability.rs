@@ -11,8 +11,8 @@
 //! roots meet. [`whirl`] has the frequencies of the symmetric, uncracked rotor, from which the regions start.
 //!
 //! Growth rates are in units of the reference speed (dimensionless time), positive where the motion grows. All three
-//! agree to about 1e-11 away from the ends at moderate speeds; Hill's method loses up to 0.1 ε Ω³ at high ones, where the
-//! combination region lies for β near 2 (6e-6 at Ω = 10 000). At an end the multipliers are defective, and the two
+//! agree to about 1e-11 away from the ends at moderate speeds; Hill's method loses up to 5 ε Ω² at high ones, where the
+//! combination region lies for β near 2 (3e-8 at Ω = 10 000). At an end the multipliers are defective, and the two
 //! general ways, which do not know the structure, keep only half of the digits there.
 
 mod combination;

@@ -84,7 +84,10 @@ pub fn central_exponents(
     Ok(exponents)
 }
 
-/// The first companion form [[0, I], [−P₂⁻¹P₀, −P₂⁻¹P₁]] of (μ²P₂ + μP₁ + P₀) q = 0, Eq. (40).
+/// The companion form [[0, ωI], [−P₂⁻¹P₀/ω, −P₂⁻¹P₁]] of (μ²P₂ + μP₁ + P₀) q = 0, Eq. (40), in (q, μq/ω).
+///
+/// ω is the power of two next to √‖P₂⁻¹P₀‖. All blocks have its size then: the Schur decomposition loses digits of the
+/// matrix's norm, which is ω² without it.
 fn companion_matrix(
     system: &PeriodicSystem,
     harmonics: usize,
@@ -117,11 +120,26 @@ fn companion_matrix(
         .lu()
         .solve(&lower)
         .ok_or(StabilityError::SingularMass { time: 0.0 })?;
+    let square = solved
+        .columns(0, half)
+        .iter()
+        .map(|entry| entry.norm())
+        .fold(0.0, f64::max);
+    // Without stiffness there is nothing to balance.
+    let scale = if square > 0.0 {
+        (0.5 * square.log2()).round().exp2()
+    } else {
+        1.0
+    };
     let mut companion = DMatrix::zeros(2 * half, 2 * half);
     companion
         .view_mut((0, half), (half, half))
-        .fill_with_identity();
+        .fill_diagonal(Complex::new(scale, 0.0));
     companion.rows_mut(half, half).copy_from(&solved);
+    companion
+        .view_mut((half, 0), (half, half))
+        .iter_mut()
+        .for_each(|entry| *entry /= scale);
     Ok(companion)
 }
 
