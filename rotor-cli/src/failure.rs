@@ -43,6 +43,9 @@ pub(crate) enum Failure {
         /// What the system said.
         source: io::Error,
     },
+    /// Ctrl-C, or the system's wish that the program end.
+    #[error("{0}")]
+    Interrupted(String),
     /// Whoever read our output has had enough. No mistake, and nothing to say.
     #[error("the output was closed")]
     OutputClosed,
@@ -94,14 +97,16 @@ impl Failure {
                 text,
                 rendered: true,
             } => Some(Message::Drawn(text.clone())),
+            Self::Interrupted(text) => Some(Message::Plain(text.clone())),
             other => Some(Message::Plain(format!("error: {other}"))),
         }
     }
 
-    /// 2, or 0 where only the reader of the output went away.
+    /// 2; 130, as shells have it, where it was interrupted; 0 where only the reader of the output went away.
     pub(crate) fn exit_code(&self) -> ExitCode {
         match self {
             Self::OutputClosed => ExitCode::SUCCESS,
+            Self::Interrupted(_) => ExitCode::from(130),
             Self::Input { .. } | Self::Stream { .. } => ExitCode::from(2),
         }
     }

@@ -209,7 +209,7 @@ mod tests {
     fn panels(figure: &Figure) -> &[Panel] {
         match &figure.plot {
             Plot::Panels(panels) => panels,
-            Plot::Map(_) => panic!("{} is a map", figure.name),
+            Plot::Map(_) | Plot::Maps(_) => panic!("{} is a map", figure.name),
         }
     }
 
