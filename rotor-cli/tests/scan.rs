@@ -201,154 +201,161 @@ fn every_format_is_written_whole_and_the_same_on_any_number_of_threads() {
     }
 }
 
+/// Axes that are none, and what is said of them.
+const WRONG_AXES: [(&str, &str); 26] = [
+    (
+        "crack.depth=0:1:3",
+        "there is no input \"crack.depth\"; did you mean crack.depth_ratio?",
+    ),
+    (
+        "xyzzy=0:1:3",
+        "there is no input \"xyzzy\"; the inputs are disk.mass,",
+    ),
+    (
+        "crack.angle",
+        "\"crack.angle\" has no `=`; an input and its values are wanted, as crack.angle=0deg:180deg:91",
+    ),
+    (
+        "crack.angle=",
+        "a value of crack_angle is empty; a finite number is wanted",
+    ),
+    (
+        "crack.angle=0:1",
+        "\"0:1\" is no range; start:stop:count or start:stop:count:log is wanted, as crack.angle=0deg:180deg:91",
+    ),
+    (
+        "crack.angle=0:1:3:lin",
+        "\"0:1:3:lin\" ends with \"lin\"; after the count only `log` can stand",
+    ),
+    (
+        "crack.angle=0:1:0",
+        "the count is \"0\"; it must be a whole number from 1 on",
+    ),
+    ("crack.angle=0:1:2.5", "the count is \"2.5\""),
+    ("crack.angle=0:1:-3", "the count is \"-3\""),
+    (
+        "crack.angle=0:1:1",
+        "runs from 0 to 1 in one value, which cannot be both",
+    ),
+    ("crack.angle=nan", "\"nan\" is no finite number"),
+    ("crack.angle=0:inf:3", "\"inf\" is no finite number"),
+    ("crack.angle=1e999", "\"1e999\" is no finite number"),
+    (
+        "crack.angle=0,x",
+        "\"x\" is no finite number; for crack_angle a finite number is wanted",
+    ),
+    (
+        "crack.depth_ratio=0:1.4:3",
+        "value 3 of the axis of crack_depth_ratio is 1.4; it must be >= 0 and <= 1",
+    ),
+    ("crack.depth_ratio=0:1:3:log", "both ends must be > 0"),
+    (
+        "crack.depth_ratio=0:40deg:3",
+        "\"40deg\" is an angle, but crack_depth_ratio is in no unit",
+    ),
+    ("disk.mass=5%", "\"5%\" is a ratio, but disk_mass is in kg"),
+    (
+        "crack.angle=0:1:3,disk.mass=1,2",
+        "crack_angle has 3 values and disk_mass has 2",
+    ),
+    ("crack.angle=0,crack_angle=1", "crack_angle is varied twice"),
+    ("crack.angle=none.csv:phi", "cannot read `none.csv`"),
+    (
+        "crack.angle=table.csv:psi",
+        "`table.csv` has no column \"psi\"; it has phi, crack.angle",
+    ),
+    (
+        "crack.angle=table.csv",
+        "`table.csv` line 3: \"x\" is no finite number",
+    ),
+    ("crack.angle=0:1:1e16", "the count is \"1e16\""),
+    (
+        "crack.angle=0:1:1e12 --vary disk.mass=1:2:1e12",
+        "more than 9007199254740992 points",
+    ),
+    (
+        "crack.angle=0:1:3 --vary crack.angle=0:1:3",
+        "crack_angle is varied twice",
+    ),
+];
+
 #[test]
 fn a_wrong_axis_says_what_is_wrong_and_what_would_be_right() {
-    let vary = |axis: &str| refused(&format!("--vary {axis} --quantity beta -o out.csv"));
-    for (axis, message) in [
-        (
-            "crack.depth=0:1:3",
-            "there is no input \"crack.depth\"; did you mean crack.depth_ratio?",
-        ),
-        (
-            "xyzzy=0:1:3",
-            "there is no input \"xyzzy\"; the inputs are disk.mass,",
-        ),
-        (
-            "crack.angle",
-            "\"crack.angle\" has no `=`; an input and its values are wanted, as crack.angle=0deg:180deg:91",
-        ),
-        (
-            "crack.angle=",
-            "a value of crack_angle is empty; a finite number is wanted",
-        ),
-        (
-            "crack.angle=0:1",
-            "\"0:1\" is no range; start:stop:count or start:stop:count:log is wanted, as crack.angle=0deg:180deg:91",
-        ),
-        (
-            "crack.angle=0:1:3:lin",
-            "\"0:1:3:lin\" ends with \"lin\"; after the count only `log` can stand",
-        ),
-        (
-            "crack.angle=0:1:0",
-            "the count is \"0\"; it must be a whole number from 1 on",
-        ),
-        ("crack.angle=0:1:2.5", "the count is \"2.5\""),
-        ("crack.angle=0:1:-3", "the count is \"-3\""),
-        (
-            "crack.angle=0:1:1",
-            "runs from 0 to 1 in one value, which cannot be both",
-        ),
-        ("crack.angle=nan", "\"nan\" is no finite number"),
-        ("crack.angle=0:inf:3", "\"inf\" is no finite number"),
-        ("crack.angle=1e999", "\"1e999\" is no finite number"),
-        (
-            "crack.angle=0,x",
-            "\"x\" is no finite number; for crack_angle a finite number is wanted",
-        ),
-        (
-            "crack.depth_ratio=0:1.4:3",
-            "value 3 of the axis of crack_depth_ratio is 1.4; it must be >= 0 and <= 1",
-        ),
-        ("crack.depth_ratio=0:1:3:log", "both ends must be > 0"),
-        (
-            "crack.depth_ratio=0:40deg:3",
-            "\"40deg\" is an angle, but crack_depth_ratio is in no unit",
-        ),
-        ("disk.mass=5%", "\"5%\" is a ratio, but disk_mass is in kg"),
-        (
-            "crack.angle=0:1:3,disk.mass=1,2",
-            "crack_angle has 3 values and disk_mass has 2",
-        ),
-        ("crack.angle=0,crack_angle=1", "crack_angle is varied twice"),
-        ("crack.angle=none.csv:phi", "cannot read `none.csv`"),
-        (
-            "crack.angle=table.csv:psi",
-            "`table.csv` has no column \"psi\"; it has phi, crack.angle",
-        ),
-        (
-            "crack.angle=table.csv",
-            "`table.csv` line 3: \"x\" is no finite number",
-        ),
-        ("crack.angle=0:1:1e16", "the count is \"1e16\""),
-        (
-            "crack.angle=0:1:1e12 --vary disk.mass=1:2:1e12",
-            "more than 9007199254740992 points",
-        ),
-        (
-            "crack.angle=0:1:3 --vary crack.angle=0:1:3",
-            "crack_angle is varied twice",
-        ),
-    ] {
-        let found = vary(axis);
+    for (axis, message) in WRONG_AXES {
+        let found = refused(&format!("--vary {axis} --quantity beta -o out.csv"));
         assert!(found.contains(message), "{axis}: {found}");
     }
 }
 
+/// Other command lines that cannot be used, and what is said of them.
+const WRONG_LINES: [(&str, &str); 17] = [
+    (
+        "--quantity beta",
+        "nothing varies; give an axis, as --vary crack.angle=0deg:180deg:91",
+    ),
+    (
+        &format!("{axis} --quantity sir_with"),
+        "there is no quantity \"sir_with\"; the nearest are sir_width,",
+    ),
+    (
+        &format!("{axis} --quantity beta -o out.txt"),
+        "the name must end with .parquet, .arrow, .csv or .npy",
+    ),
+    (
+        &format!("{axis} --quantity beta -o none/out.csv"),
+        "cannot write `none/out.csv`: No such file or directory",
+    ),
+    (
+        &format!("{axis} --quantity beta -o ."),
+        "cannot tell the format of `.`",
+    ),
+    (
+        &format!("{axis} --quantity beta --plot out.jpg"),
+        "the name must end with .svg or .png",
+    ),
+    (
+        &format!("{axis} --quantity beta --reduce median"),
+        "there is no reduction \"median\"",
+    ),
+    (
+        &format!("{axis} --quantity beta --reduce max:disk.mass"),
+        "is over disk_mass, which is not varied",
+    ),
+    (
+        &format!("{axis} --quantity beta --reduce count"),
+        "count wants a threshold, as count(0.05)",
+    ),
+    (
+        &format!("{axis} --quantity beta --reduce histogram(1,0,3)"),
+        "the ends must be finite numbers that increase",
+    ),
+    (
+        &format!("{axis} --quantity beta --threads 0"),
+        "0 is not in 1..=1024",
+    ),
+    (
+        "--vary crack.angle=0:1:3 --quantity beta --resume",
+        "--output",
+    ),
+    ("--sample disk.mass=normal(1,2) --quantity beta", "--count"),
+    (
+        "--sample disk.mass=normal(1) --count 3 --quantity beta",
+        "does not have 2 parameters",
+    ),
+    (
+        "--sample disk.mass=cauchy(1,2) --count 3 --quantity beta",
+        "there is no distribution \"cauchy\"",
+    ),
+    (
+        "--sample disk.mass=normal(1,-2) --count 3 --quantity beta",
+        "the standard deviation = -2",
+    ),
+    ("--sample disk.mass --count 3 --quantity beta", "has no `=`"),
+];
+
 #[test]
 fn other_mistakes_are_told_too() {
-    let axis = "--vary crack.angle=0:1:3";
-    for (arguments, message) in [
-        (
-            "--quantity beta",
-            "nothing varies; give an axis, as --vary crack.angle=0deg:180deg:91",
-        ),
-        (
-            &format!("{axis} --quantity sir_with"),
-            "there is no quantity \"sir_with\"; the nearest are sir_width,",
-        ),
-        (
-            &format!("{axis} --quantity beta -o out.txt"),
-            "the name must end with .parquet, .arrow, .csv or .npy",
-        ),
-        (
-            &format!("{axis} --quantity beta -o none/out.csv"),
-            "cannot write `none/out.csv`: No such file or directory",
-        ),
-        (
-            &format!("{axis} --quantity beta -o ."),
-            "cannot tell the format of `.`",
-        ),
-        (
-            &format!("{axis} --quantity beta --plot out.jpg"),
-            "the name must end with .svg or .png",
-        ),
-        (
-            &format!("{axis} --quantity beta --reduce median"),
-            "there is no reduction \"median\"",
-        ),
-        (
-            &format!("{axis} --quantity beta --reduce max:disk.mass"),
-            "is over disk_mass, which is not varied",
-        ),
-        (
-            &format!("{axis} --quantity beta --reduce count"),
-            "count wants a threshold, as count(0.05)",
-        ),
-        (
-            &format!("{axis} --quantity beta --reduce histogram(1,0,3)"),
-            "the ends must be finite numbers that increase",
-        ),
-        (
-            &format!("{axis} --quantity beta --threads 0"),
-            "0 is not in 1..=1024",
-        ),
-        (&format!("{axis} --quantity beta --resume"), "--output"),
-        ("--sample disk.mass=normal(1,2) --quantity beta", "--count"),
-        (
-            "--sample disk.mass=normal(1) --count 3 --quantity beta",
-            "does not have 2 parameters",
-        ),
-        (
-            "--sample disk.mass=cauchy(1,2) --count 3 --quantity beta",
-            "there is no distribution \"cauchy\"",
-        ),
-        (
-            "--sample disk.mass=normal(1,-2) --count 3 --quantity beta",
-            "the standard deviation = -2",
-        ),
-        ("--sample disk.mass --count 3 --quantity beta", "has no `=`"),
-    ] {
+    for (arguments, message) in WRONG_LINES {
         let found = refused(arguments);
         assert!(found.contains(message), "{arguments}: {found}");
     }

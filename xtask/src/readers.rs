@@ -44,7 +44,10 @@ pub(crate) fn check(root: &Path) -> Outcome {
 }
 
 fn scan(root: &Path, output: &Path, more: &[&str]) -> Outcome {
-    let mut command = cargo(root, &["run", "--quiet", "--package", "rotor-cli", "--", "scan"]);
+    let mut command = cargo(
+        root,
+        &["run", "--quiet", "--package", "rotor-cli", "--", "scan"],
+    );
     command.args(GRID).args(more).arg("-o").arg(output);
     run(&mut command)
 }
@@ -59,8 +62,17 @@ fn environment(root: &Path, place: &Path) -> Result<std::path::PathBuf, String> 
     if python.exists() && read(&wanted) == read(&installed) {
         return Ok(python);
     }
-    run(Command::new("python3").args(["-m", "venv", "--clear"]).arg(&environment))?;
-    let install = ["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "-r"];
+    run(Command::new("python3")
+        .args(["-m", "venv", "--clear"])
+        .arg(&environment))?;
+    let install = [
+        "-m",
+        "pip",
+        "install",
+        "--quiet",
+        "--disable-pip-version-check",
+        "-r",
+    ];
     run(Command::new(&python).args(install).arg(&wanted))?;
     fs::copy(&wanted, &installed).map_err(|error| format!("{}: {error}", installed.display()))?;
     Ok(python)

@@ -1,5 +1,6 @@
-//! NumPy's format: one structured array. It knows no missing values: beside each column that may
-//! lack some stands a column of booleans, `sir_width_exists`; where that is false the number is NaN.
+//! NumPy's format: one structured array, each number's unit in the title of its field. It knows no
+//! missing values: beside each column that may lack some stands a column of booleans,
+//! `sir_width_exists`; where that is false the number is NaN.
 
 use std::fmt::Write as _;
 use std::io;
@@ -11,7 +12,7 @@ use arrow_schema::{DataType, Schema};
 
 use super::unsupported;
 
-/// The header of version 2.0 of the format.
+/// The header of version 3.0 of the format, whose text is UTF-8.
 pub(super) fn header(schema: &Schema, rows: u64, longest_text: usize) -> io::Result<Vec<u8>> {
     let mut description = String::from("{'descr': [");
     for field in schema.fields() {
@@ -22,9 +23,13 @@ pub(super) fn header(schema: &Schema, rows: u64, longest_text: usize) -> io::Res
             _ => return Err(unsupported(field)),
         };
         // Writing to a String does not fail. Names are letters, digits and underscores.
-        let _ = write!(description, "('{}', '{kind}'), ", field.name());
+        let name = field.name();
+        let _ = match field.metadata().get("unit") {
+            Some(unit) => write!(description, "(('{name} [{unit}]', '{name}'), '{kind}'), "),
+            None => write!(description, "('{name}', '{kind}'), "),
+        };
         if field.is_nullable() {
-            let _ = write!(description, "('{}_exists', '|b1'), ", field.name());
+            let _ = write!(description, "('{name}_exists', '|b1'), ");
         }
     }
     let _ = write!(
@@ -40,7 +45,7 @@ pub(super) fn header(schema: &Schema, rows: u64, longest_text: usize) -> io::Res
     ));
     description.push('\n');
     let length = u32::try_from(description.len()).map_err(io::Error::other)?;
-    let mut bytes = b"\x93NUMPY\x02\x00".to_vec();
+    let mut bytes = b"\x93NUMPY\x03\x00".to_vec();
     bytes.extend(length.to_le_bytes());
     bytes.extend(description.as_bytes());
     Ok(bytes)

@@ -66,6 +66,7 @@ array = numpy.load(path("grid.npy"), allow_pickle=False)
 columns = [array[name].tolist() for name in NAMES]
 columns[3] = [value if exists else None for value, exists in zip(columns[3], array["cir_width_exists"])]
 assert array["sir_width_exists"].all()
+assert array.dtype.fields["crack_angle"][2] == "crack_angle [rad]", array.dtype
 same("numpy, npy", zip(*columns))
 
 # Axes and units are in the files that can hold them.

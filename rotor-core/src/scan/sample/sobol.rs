@@ -72,6 +72,26 @@ mod tests {
     use super::*;
 
     #[test]
+    fn points_are_those_of_other_programs() {
+        // Of scipy.stats.qmc.Sobol(12, scramble=False, bits=32), in units of 2^-32.
+        let expected = [
+            (
+                5,
+                [7, 7, 1, 3, 7, 5, 7, 3, 3, 1, 3, 7].map(|eighths| eighths << 29),
+            ),
+            (
+                37,
+                [59, 41, 37, 59, 49, 19, 11, 51, 39, 11, 1, 5].map(|parts| parts << 26),
+            ),
+        ];
+        for (index, coordinates) in expected {
+            for (dimension, expected) in (0..).zip(coordinates) {
+                assert_eq!(coordinate(index, dimension) >> 32, expected, "{dimension}");
+            }
+        }
+    }
+
+    #[test]
     fn every_dimension_is_stratified() {
         for dimension in 0..12 {
             let mut cells: Vec<u64> = (0..256)
