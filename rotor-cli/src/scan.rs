@@ -91,7 +91,8 @@ pub(crate) fn run(arguments: &ScanArguments) -> Result<Outcome, Failure> {
         None => Counts::default(),
     };
     if counts.points > 0 {
-        output::remark(&summary(&plan, &counts, start.elapsed()));
+        // One line, however long, for those who look for it.
+        output::drawing(&summary(&plan, &counts, start.elapsed()));
     }
     if let Some(picture) = picture {
         picture.write()?;

@@ -1,4 +1,5 @@
 //! Scans against point-by-point evaluation, and against themselves on other numbers of threads.
+#![allow(clippy::unwrap_used, reason = "helpers of tests fail by panicking too")]
 
 use std::f64::consts::PI;
 use std::sync::Mutex;
@@ -6,8 +7,8 @@ use std::sync::Mutex;
 use rotor_core::quantity::Quantity;
 use rotor_core::rotor::{NumericInput, Rotor};
 use rotor_core::scan::{
-    Axis, Cancel, Chunk, Control, Counts, Distribution, Plan, Reduction, Sampling, Scan, ScanError,
-    Sink, Statistic, Stopped,
+    Axis, Cancel, Chunk, Control, Counts, Distribution, Plan, Reduced, Reduction, Sampling, Scan,
+    ScanError, Sink, Statistic, Stopped,
 };
 
 fn input(name: &str) -> &'static NumericInput {
@@ -35,8 +36,11 @@ fn grid() -> Scan {
         .quantity(Quantity::CirWidth)
 }
 
-/// All points of a plan with the values of its inputs.
-fn points(plan: &Plan) -> Vec<(Vec<f64>, Vec<Option<f64>>)> {
+/// The inputs and the quantities of a point.
+type Point = (Vec<f64>, Vec<Option<f64>>);
+
+/// All points of a plan.
+fn points(plan: &Plan) -> Vec<Point> {
     let mut points = Vec::new();
     for chunk in plan.chunks() {
         let axes = plan.space().axes().iter().enumerate();
@@ -121,41 +125,50 @@ fn reductions_are_those_of_the_points() {
         let points = points(&plan);
         for quantity in 0..2 {
             for group in 0..report.reduced[0].groups() {
-                let in_group = |point: u64| {
-                    report.reduced[0].kept().into_iter().all(|axis| {
-                        report.reduced[0].index(plan.space(), axis, group)
-                            == Some(plan.space().index(axis, point))
-                    })
-                };
-                let values: Vec<(u64, f64)> = (0..60)
-                    .filter(|&point| in_group(point))
-                    .filter_map(|point| Some((point, points[point as usize].1[quantity]?)))
-                    .collect();
-                let value = |index: usize| report.reduced[index].value(quantity, group);
-                let all = || values.iter().map(|(_, value)| *value);
-                assert_eq!(value(0), all().reduce(f64::max));
-                assert_eq!(value(1), all().reduce(f64::min));
-                let least = values
-                    .iter()
-                    .find(|(_, value)| Some(*value) == all().reduce(f64::min));
-                assert_eq!(
-                    report.reduced[1].point(quantity, group),
-                    least.map(|(point, _)| *point)
-                );
-                let mean = (!values.is_empty()).then(|| all().sum::<f64>() / values.len() as f64);
-                match (value(2), mean) {
-                    (Some(found), Some(mean)) => assert!((found - mean).abs() < 1e-15),
-                    (found, mean) => assert_eq!(found, mean),
-                }
-                assert_eq!(
-                    value(3),
-                    Some(all().filter(|&value| value > 0.1).count() as f64)
-                );
-                let histogram = report.reduced[4].histogram(quantity, group);
-                assert_eq!(histogram.iter().sum::<u64>(), values.len() as u64);
+                check_group(&plan, &report.reduced, &points, (quantity, group));
             }
         }
     }
+}
+
+/// Holds what five reductions say of a group against its points.
+fn check_group(
+    plan: &Plan,
+    reduced: &[Reduced],
+    points: &[Point],
+    (quantity, group): (usize, u64),
+) {
+    let in_group = |point: u64| {
+        reduced[0].kept().into_iter().all(|axis| {
+            reduced[0].index(plan.space(), axis, group) == Some(plan.space().index(axis, point))
+        })
+    };
+    let values: Vec<(u64, f64)> = (0..60)
+        .filter(|&point| in_group(point))
+        .filter_map(|point| Some((point, points[point as usize].1[quantity]?)))
+        .collect();
+    let value = |index: usize| reduced[index].value(quantity, group);
+    let all = || values.iter().map(|(_, value)| *value);
+    assert_eq!(value(0), all().reduce(f64::max));
+    assert_eq!(value(1), all().reduce(f64::min));
+    let least = values
+        .iter()
+        .find(|(_, value)| Some(*value) == all().reduce(f64::min));
+    assert_eq!(
+        reduced[1].point(quantity, group),
+        least.map(|(point, _)| *point)
+    );
+    let mean = (!values.is_empty()).then(|| all().sum::<f64>() / values.len() as f64);
+    match (value(2), mean) {
+        (Some(found), Some(mean)) => assert!((found - mean).abs() < 1e-15),
+        (found, mean) => assert_eq!(found, mean),
+    }
+    assert_eq!(
+        value(3),
+        Some(all().filter(|&value| value > 0.1).count() as f64)
+    );
+    let histogram = reduced[4].histogram(quantity, group);
+    assert_eq!(histogram.iter().sum::<u64>(), values.len() as u64);
 }
 
 /// A sample that spans several chunks, some of its points no rotor.

@@ -86,6 +86,7 @@ pub(super) fn draw(plan: &Plan, path: &Path, rotor: &str) -> Result<Drawn, Failu
 }
 
 /// An axis of the scan as the picture has it: its values in rising order, each once.
+#[derive(Clone)]
 struct Shown {
     columns: Vec<&'static NumericInput>,
     /// For each value those of all its inputs.
@@ -180,6 +181,24 @@ fn markup(symbol: &str) -> String {
     }
 }
 
+/// The axes that the picture has, thinned out as its kind needs.
+fn shown(long: &[&scan::Axis], single: &[Shown]) -> Vec<Shown> {
+    let (most_curve, most_map, most_maps) = MOST;
+    let count = long.len();
+    let most = |index: usize| match count {
+        1 => most_curve,
+        _ if index + 2 < count => most_maps,
+        _ => most_map,
+    };
+    if long.is_empty() {
+        return single.first().cloned().into_iter().collect();
+    }
+    let numbered = long.iter().enumerate();
+    numbered
+        .map(|(index, axis)| Shown::new(axis, most(index)))
+        .collect()
+}
+
 fn figure(plan: &Plan, rotor: &str) -> Result<Figure, Failure> {
     let axes = plan.space().axes();
     if axes.iter().any(scan::Axis::is_sampled) {
@@ -190,35 +209,7 @@ fn figure(plan: &Plan, rotor: &str) -> Result<Figure, Failure> {
     let single = axes.iter().filter(|axis| axis.len() == 1);
     let single: Vec<_> = single.map(|axis| Shown::new(axis, 1)).collect();
     let long: Vec<_> = axes.iter().filter(|axis| axis.len() > 1).collect();
-    let (most_curve, most_map, most_maps) = MOST;
-    let shown: Vec<Shown> = match long.len() {
-        0 => single
-            .iter()
-            .take(1)
-            .map(|shown| Shown {
-                columns: shown.columns.clone(),
-                values: shown.values.clone(),
-            })
-            .collect(),
-        1 => long
-            .iter()
-            .map(|axis| Shown::new(axis, most_curve))
-            .collect(),
-        count => long
-            .iter()
-            .enumerate()
-            .map(|(index, axis)| {
-                Shown::new(
-                    axis,
-                    if index + 2 < count {
-                        most_maps
-                    } else {
-                        most_map
-                    },
-                )
-            })
-            .collect(),
-    };
+    let shown = shown(&long, &single);
     let fixed = if long.is_empty() { &[] } else { &single[..] };
     let picture = Drawing { plan, shown, fixed };
     let plot = picture.plot()?;

@@ -1,10 +1,12 @@
 //! The results of reductions: tables for the terminal, and one long table for a file.
 
+use std::collections::HashMap;
 use std::io;
 use std::sync::Arc;
 
 use arrow_array::{ArrayRef, Float64Array, RecordBatch, StringArray};
 use arrow_schema::{DataType, Field};
+use rotor_core::rotor::NumericInput;
 use rotor_core::scan::{Axis, Plan, Reduced, Statistic};
 
 use crate::files::{Format, Layout, number_field, schema};
@@ -214,6 +216,28 @@ impl Long {
     }
 }
 
+/// The columns of the long table.
+fn long_fields(inputs: &[&'static NumericInput]) -> Vec<Field> {
+    let mut fields = vec![
+        Field::new("reduction", DataType::Utf8, false),
+        Field::new("quantity", DataType::Utf8, false),
+    ];
+    fields.extend(inputs.iter().map(|input| {
+        let about = (input.symbol, input.unit, input.description);
+        number_field(input.name, true, about)
+    }));
+    for (name, description) in [
+        ("bin_from", "lower end of a histogram's bin"),
+        ("bin_to", "upper end of a histogram's bin"),
+        ("value", "in the quantity's unit, or a count"),
+    ] {
+        let field = Field::new(name, DataType::Float64, true);
+        let metadata = HashMap::from([("description".to_owned(), description.to_owned())]);
+        fields.push(field.with_metadata(metadata));
+    }
+    fields
+}
+
 /// The long table for a file.
 ///
 /// # Errors
@@ -237,33 +261,7 @@ pub(super) fn long(
             }
         }
     }
-    let mut fields = vec![
-        Field::new("reduction", DataType::Utf8, false),
-        Field::new("quantity", DataType::Utf8, false),
-    ];
-    let of_input = |input: &&rotor_core::rotor::NumericInput| {
-        number_field(
-            input.name,
-            true,
-            (input.symbol, input.unit, input.description),
-        )
-    };
-    fields.extend(inputs.iter().map(of_input));
-    fields.push(number_field(
-        "bin_from",
-        true,
-        ("", "", "lower end of a histogram's bin"),
-    ));
-    fields.push(number_field(
-        "bin_to",
-        true,
-        ("", "", "upper end of a histogram's bin"),
-    ));
-    fields.push(number_field(
-        "value",
-        true,
-        ("", "", "in the quantity's unit, or a count"),
-    ));
+    let fields = long_fields(&inputs);
     let longest_text = table
         .reductions
         .iter()

@@ -51,7 +51,11 @@ pub(super) fn input(name: &str) -> Result<&'static NumericInput, String> {
     NumericInput::find(name).ok_or_else(|| {
         let flat = name.replace(['.', ' ', '-'], "_");
         let names = INPUTS.iter().map(|input| input.name);
-        match nearest(&flat, names).and_then(NumericInput::find) {
+        // What is only the beginning of a name is no misspelling of it.
+        let begun = names
+            .clone()
+            .find(|known| !flat.is_empty() && known.starts_with(&flat));
+        match nearest(&flat, names).or(begun).and_then(NumericInput::find) {
             Some(near) => format!(
                 "there is no input \"{name}\"; did you mean {}.{}?",
                 near.section, near.key
