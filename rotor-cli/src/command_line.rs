@@ -93,7 +93,7 @@ impl ReportArguments {
 #[derive(Args, Debug)]
 #[command(after_help = format!("Examples:\n  \
   $ printf 'crack.depth_ratio\\n0.1\\n0.2\\n' | rotor evaluate - --quantities sir_width,cir_width\n  \
-  $ printf 'name,crack_angle\\nA,0\\nB,1.5\\n' > table.csv && rotor evaluate table.csv -o widths.parquet\n\n\
+  $ printf 'crack_angle\\n0\\n1.5\\n' > in.csv && rotor evaluate in.csv -o widths.parquet\n\n\
 Results: {}\n{EXIT_CODES}", crate::evaluate::result_names().join(" ")))]
 pub(crate) struct EvaluateArguments {
     /// The table: .parquet, .arrow, or comma-separated with a header row; `-` is CSV from standard input

@@ -25,14 +25,11 @@ use super::EXIT_CODES;
 /// with --resume goes on from there, to the same file as if there had been no interruption.
 #[derive(Args, Debug)]
 #[command(after_help = format!("Examples:\n  \
-  $ rotor scan --vary crack.depth_ratio=0:0.4:41 --vary crack.angle=0deg:180deg:73 --quantity sir_width,cir_width \
--o map.parquet\n  \
-  $ rotor scan --vary crack.depth_ratio=0.1,0.2,30% --vary crack.angle=0deg:180deg:721 --quantity cir_width \
---reduce max:crack.angle,argmin:crack.angle\n  \
-  $ rotor scan --sample 'disk.asymmetry=normal(0.2,0.01)' --sample 'crack.angle=uniform(0deg,180deg)' --count 1e4 \
---seed 7 --quantity sir_width --reduce 'mean,histogram(0,0.1,20)'\n  \
-  $ rotor scan --vary crack.depth_ratio=0:0.4:97 --vary crack.angle=0deg:180deg:97 --quantity sir_width \
---plot map.svg\n\n\
+  $ rotor scan --vary crack.depth_ratio=0:0.4:41 --vary crack.angle=0deg:180deg:73 -q all -o a.arrow\n  \
+  $ rotor scan --vary crack.angle=0deg:180deg:721 -q sir_width,cir_width --reduce max,argmin,mean\n  \
+  $ rotor scan --vary crack.angle=0,45deg --vary disk.mass=1:100:9:log -q beta -r max:crack.angle\n  \
+  $ rotor scan --sample 'disk.asymmetry=normal(0.2,0.01)' --count 1e4 --seed 7 -q sir_width -o b.npy\n  \
+  $ rotor scan --vary crack.depth_ratio=0:0.4:97 --vary crack.angle=0:3:97 -q cir_width --plot m.svg\n\n\
 Quantities: {}\n\
 Inputs: {}\n\
 Reductions: max, min, argmax, argmin, mean, count(THRESHOLD), histogram(LOW,HIGH,BINS)\n\

@@ -58,8 +58,8 @@ same("pyarrow, csv", zip(*pyarrow.csv.read_csv(path("grid.csv")).to_pydict().val
 same("duckdb, parquet", duckdb.sql(f"select * from '{path('grid.parquet')}'").fetchall())
 same("duckdb, csv", duckdb.sql(f"select * from '{path('grid.csv')}'").fetchall())
 with pyarrow.ipc.open_file(path("grid.arrow")) as reader:
-    table = reader.read_all()
-    same("duckdb, arrow", duckdb.sql("select * from table").fetchall())
+    grid = reader.read_all()
+    same("duckdb, arrow", duckdb.sql("select * from grid").fetchall())
 
 # NumPy has no nulls: a column of booleans says what exists.
 array = numpy.load(path("grid.npy"), allow_pickle=False)
