@@ -245,3 +245,49 @@ fn of_system(error: csv::Error) -> String {
         other => format!("{other:?}"),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    proptest! {
+        #[test]
+        fn no_text_is_too_strange_to_be_answered(text in "[a-z_.:=,0-9%+()eE° -]{0,40}") {
+            // A file of that name would be a column; there is none.
+            let _ = axis(&text);
+            let _ = super::super::reduction::reductions(&text);
+            let _ = axis(&format!("crack.angle={text}"));
+            let _ = super::super::reduction::reductions(&format!("max:{text}"));
+        }
+
+        #[test]
+        fn a_list_is_read_back_exactly(values in proptest::collection::vec(-1e9..1e9_f64, 1..9)) {
+            let text: Vec<_> = values.iter().map(|value| format!("{value:?}")).collect();
+            let axis = axis(&format!("crack.angle={}", text.join(","))).unwrap();
+            let found: Vec<_> = (0..axis.len()).map(|index| axis.value(0, index)).collect();
+            prop_assert_eq!(found, values);
+        }
+
+        #[test]
+        fn a_range_has_its_ends_its_count_and_its_order(
+            start in -1e3..1e3_f64, stop in -1e3..1e3_f64, count in 2..5000_u64
+        ) {
+            let axis = axis(&format!("crack.angle={start:?}:{stop:?}:{count}")).unwrap();
+            prop_assert_eq!((axis.len(), axis.value(0, 0), axis.value(0, count - 1)), (count, start, stop));
+            let values: Vec<_> = (0..count).map(|index| axis.value(0, index)).collect();
+            let ordered = |pair: &[f64]| (pair[0] <= pair[1]) == (start <= stop) || pair[0] == pair[1];
+            prop_assert!(values.windows(2).all(ordered));
+        }
+
+        #[test]
+        fn degrees_and_ratios_are_the_numbers_that_they_mean(value in -720.0..720.0_f64) {
+            let angle = axis(&format!("crack.angle={value:?}deg")).unwrap();
+            prop_assert!((angle.value(0, 0) - value.to_radians()).abs() <= 1e-12);
+            let share = value.abs() / 7.2;
+            let depth = axis(&format!("crack.depth_ratio={share:?}%")).unwrap();
+            prop_assert_eq!(depth.value(0, 0), share / 100.0);
+        }
+    }
+}
