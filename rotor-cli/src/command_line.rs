@@ -1,8 +1,12 @@
 //! The command line: every command, its options and its help.
 
+mod scan;
+
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
+
+pub(crate) use scan::ScanArguments;
 
 const EXIT_CODES: &str = "Exit codes: 0 done; 1 it ran, and a check failed; 2 the input cannot be used, or a \
 file could not be read or written; 130 and 143 interrupted.";
@@ -32,6 +36,7 @@ pub(crate) struct CommandLine {
 pub(crate) enum Command {
     Report(ReportArguments),
     Evaluate(EvaluateArguments),
+    Scan(ScanArguments),
     Zup(ZupArguments),
     Init(InitArguments),
     Show(ShowArguments),
@@ -72,7 +77,7 @@ impl ReportArguments {
 
 /// Evaluate a table of rotors
 ///
-/// Each row of a CSV table is a rotor. Columns named like the inputs (disk_mass or disk.mass, crack_depth_ratio,
+/// Each row of a table (CSV, Parquet or Arrow, by its extension) is a rotor. Columns named like the inputs (disk_mass or disk.mass, crack_depth_ratio,
 /// crack_model, ...) are read; inputs without a column come from --base. All columns are kept as they are, in their
 /// place; the results follow, then a column `error`, each in place of one that has its name already. Numbers are
 /// written so that they read back exactly.
@@ -87,15 +92,16 @@ impl ReportArguments {
 #[derive(Args, Debug)]
 #[command(after_help = format!("Examples:\n  \
   $ printf 'crack.depth_ratio\\n0.1\\n0.2\\n' | rotor evaluate - --quantities sir_width,cir_width\n  \
-  $ printf 'name,crack_angle\\nA,0\\nB,1.5\\n' > table.csv && rotor evaluate table.csv -o widths.csv\n\n\
+  $ printf 'crack_angle\\n0\\n1.5\\n' > in.csv && rotor evaluate in.csv -o widths.parquet\n\n\
 Results: {}\n{EXIT_CODES}", crate::evaluate::result_names().join(" ")))]
 pub(crate) struct EvaluateArguments {
-    /// The table, comma-separated with a header row; `-` is standard input
-    #[arg(value_name = "TABLE.csv")]
+    /// The table: .parquet, .arrow, or comma-separated with a header row; `-` is CSV from standard input
+    #[arg(value_name = "TABLE")]
     pub(crate) table: PathBuf,
 
-    /// Where the table with its results goes; `-` is standard output. A file appears whole or not at all
-    #[arg(short, long, value_name = "OUT.csv", default_value = "-")]
+    /// Where the table with its results goes: .parquet, .arrow, otherwise CSV; `-` is standard output. A file appears
+    /// whole or not at all
+    #[arg(short, long, value_name = "OUT", default_value = "-")]
     pub(crate) output: PathBuf,
 
     /// The results to add, in this order, or `all`

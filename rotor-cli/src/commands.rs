@@ -8,7 +8,7 @@ use clap::Parser;
 use crate::command_line::{Command, CommandLine, FormArguments, ReportArguments, ShowArguments};
 use crate::failure::{Failure, Message, Outcome};
 use crate::show::Form;
-use crate::{evaluate, init, interrupt, output, report, show, zup};
+use crate::{evaluate, init, interrupt, output, report, scan, show, zup};
 
 /// Runs the command that the command line asks for.
 pub(crate) fn run() -> ExitCode {
@@ -48,6 +48,7 @@ fn dispatch(command: Option<Command>) -> Result<Outcome, Failure> {
         None => report::run(&ReportArguments::on_the_papers_rotor()),
         Some(Command::Report(arguments)) => report::run(&arguments),
         Some(Command::Evaluate(arguments)) => evaluate::run(&arguments),
+        Some(Command::Scan(arguments)) => scan::run(&arguments),
         Some(Command::Zup(arguments)) => zup::run(&arguments),
         Some(Command::Init(arguments)) => init::run(&arguments),
         Some(Command::Show(arguments)) => show_equation(&arguments),

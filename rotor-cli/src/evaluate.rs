@@ -1,13 +1,12 @@
 //! `rotor evaluate`: results for each rotor of a table.
 
 mod columns;
+mod results;
+mod source;
 mod table;
 
-use std::fs::{self, File};
-use std::io::{self, BufRead, BufReader};
 use std::path::Path;
 
-use csv::ByteRecord;
 use rayon::prelude::*;
 use rotor_core::quantity::{self, Quantity, Reason};
 use rotor_core::rotor::{Rotor, RotorParameters};
@@ -15,15 +14,13 @@ use rotor_core::rotor::{Rotor, RotorParameters};
 use crate::command_line::EvaluateArguments;
 use crate::doubts::doubts;
 use crate::failure::{Failure, Outcome};
-use crate::output::{self, Destination};
+use crate::output;
 use crate::reasons;
 use crate::rotor_file;
 use crate::shown::brief;
 use columns::{Columns, ERROR};
-use table::{OPEN_QUOTE, Row, Rows, TableError};
-
-/// Rows that are read before they are evaluated together, on all cores.
-const BATCH: usize = 4096;
+use results::Results;
+use source::{Read, Source};
 
 /// The names of all results.
 pub(crate) fn result_names() -> Vec<&'static str> {
@@ -36,7 +33,7 @@ pub(crate) fn result_names() -> Vec<&'static str> {
 ///
 /// Where the table, a name of a result, the base rotor or, without `--keep-going`, a row cannot be used.
 pub(crate) fn run(arguments: &EvaluateArguments) -> Result<Outcome, Failure> {
-    let quantities = quantities(&arguments.quantities)?;
+    let quantities = quantities("--quantities", &arguments.quantities)?;
     if arguments.table.as_os_str() == "-"
         && arguments
             .base
@@ -48,9 +45,9 @@ pub(crate) fn run(arguments: &EvaluateArguments) -> Result<Outcome, Failure> {
         ));
     }
     let name = name_of(&arguments.table);
-    let mut rows = Rows::new(open(&arguments.table)?);
-    let header = rows
-        .next_row()
+    let mut source = Source::open(&arguments.table)?;
+    let header = source
+        .header()
         .map_err(|error| Failure::input(format!("{name}: {error}")))?
         .ok_or_else(|| Failure::input(format!("{name} is empty: a header row is wanted")))?;
     let headings: Vec<_> = quantities
@@ -64,8 +61,11 @@ pub(crate) fn run(arguments: &EvaluateArguments) -> Result<Outcome, Failure> {
         output::remark(&format!("warning: {name}: {remark}"));
     }
     let base = rotor_file::load_base(arguments.base.as_deref(), &columns.input_names())?;
+    let opened = (&header.fields, &columns);
+    let mut results = Results::open(&arguments.output, opened, source.schema(), &quantities)?;
     let mut evaluation = Evaluation {
         name,
+        unit: source.unit(),
         columns,
         quantities,
         base,
@@ -73,16 +73,8 @@ pub(crate) fn run(arguments: &EvaluateArguments) -> Result<Outcome, Failure> {
         failed: 0,
         doubtful: None,
     };
-    let mut writer = csv::Writer::from_writer(Destination::open(&arguments.output)?);
-    let mut titles: ByteRecord = evaluation.columns.carried(&header.fields).collect();
-    titles.extend(headings);
-    write(&mut writer, &titles)?;
-    let count = evaluation.all(&mut rows, &mut writer)?;
-    let name = writer.get_ref().name();
-    let destination = writer
-        .into_inner()
-        .map_err(|error| Failure::stream("write", name, io::Error::from(error.error().kind())))?;
-    destination.finish()?;
+    let count = evaluation.all(&mut source, &mut results)?;
+    results.finish()?;
     evaluation.remark_on_rows(count);
     Ok(if count > 0 && evaluation.failed == count {
         Outcome::CheckFailed
@@ -91,15 +83,19 @@ pub(crate) fn run(arguments: &EvaluateArguments) -> Result<Outcome, Failure> {
     })
 }
 
-/// The results asked for, each once, in the order asked for.
-fn quantities(names: &[String]) -> Result<Vec<Quantity>, Failure> {
+/// The results asked for by an option, each once, in the order asked for.
+///
+/// # Errors
+///
+/// Where a name is empty or none of a result.
+pub(crate) fn quantities(option: &str, names: &[String]) -> Result<Vec<Quantity>, Failure> {
     let mut quantities = Vec::new();
     for name in names.iter().map(|name| name.trim()) {
         let asked = match name {
             "" => {
-                return Err(Failure::input(
-                    "--quantities: a name is empty; give names of results with commas between, or `all`",
-                ));
+                return Err(Failure::input(format!(
+                    "{option}: a name is empty; give names of results with commas between, or `all`"
+                )));
             }
             name if name.eq_ignore_ascii_case("all") => Quantity::ALL.to_vec(),
             name => vec![
@@ -107,7 +103,7 @@ fn quantities(names: &[String]) -> Result<Vec<Quantity>, Failure> {
                     .parse::<Quantity>()
                     .map_err(|error| {
                         Failure::input(format!(
-                            "--quantities: {error}; `rotor evaluate --help` lists all"
+                            "{option}: {error}; `rotor evaluate --help` lists all"
                         ))
                     })?,
             ],
@@ -129,28 +125,6 @@ fn name_of(path: &Path) -> String {
     }
 }
 
-fn open(path: &Path) -> Result<Box<dyn BufRead>, Failure> {
-    if path.as_os_str() == "-" {
-        return Ok(Box::new(io::stdin().lock()));
-    }
-    if fs::metadata(path).is_ok_and(|metadata| metadata.is_dir()) {
-        return Err(Failure::input(format!(
-            "cannot read `{}`: it is a folder",
-            path.display()
-        )));
-    }
-    let file = File::open(path).map_err(|source| Failure::file("read", path, source))?;
-    Ok(Box::new(BufReader::new(file)))
-}
-
-fn write(writer: &mut csv::Writer<Destination>, record: &ByteRecord) -> Result<(), Failure> {
-    let written = writer.write_byte_record(record);
-    written.map_err(|error| match error.into_kind() {
-        csv::ErrorKind::Io(source) => Failure::stream("write", writer.get_ref().name(), source),
-        other => Failure::input(format!("cannot write the results: {other:?}")),
-    })
-}
-
 /// A result, or why there is none. A zero of a region may be all that is left of a number too small for double precision.
 fn checked(rotor: &Rotor, quantity: Quantity, result: Result<f64, Reason>) -> Result<f64, String> {
     let value = result.map_err(|reason| reasons::of_quantity(&reason))?;
@@ -164,6 +138,8 @@ fn checked(rotor: &Rotor, quantity: Quantity, result: Result<f64, Reason>) -> Re
 /// A table on its way.
 struct Evaluation {
     name: String,
+    /// What rows are counted in.
+    unit: &'static str,
     columns: Columns,
     quantities: Vec<Quantity>,
     base: RotorParameters,
@@ -180,79 +156,50 @@ struct Doubtful {
     first: (u64, String),
 }
 
-/// A row as it was read.
-struct Read {
-    row: Row,
-    /// Why its fields are not to be trusted.
-    broken: Option<&'static str>,
-}
-
 /// What comes of a row that is a rotor.
 struct Evaluated {
-    /// The results, empty where there is none.
-    cells: Vec<String>,
-    /// The reasons for empty ones.
+    /// The results, none where there is none.
+    values: Vec<Option<f64>>,
+    /// The reasons for those.
     error: String,
     warning: Option<String>,
 }
 
 impl Evaluation {
-    /// Evaluates and writes row after row; how many there were.
-    fn all(
-        &mut self,
-        rows: &mut Rows<Box<dyn BufRead>>,
-        writer: &mut csv::Writer<Destination>,
-    ) -> Result<u64, Failure> {
+    /// Evaluates and writes piece after piece; how many rows there were.
+    fn all(&mut self, source: &mut Source, results: &mut Results) -> Result<u64, Failure> {
         let mut count = 0;
         loop {
-            let batch = self.batch(rows)?;
-            if batch.is_empty() {
+            let piece = source
+                .next_piece(self.keep_going)
+                .map_err(|error| Failure::input(format!("{}: {error}", self.name)))?;
+            if piece.rows.is_empty() {
                 return Ok(count);
             }
-            let results: Vec<_> = batch.par_iter().map(|row| self.row(row)).collect();
-            for (Read { row, .. }, result) in batch.iter().zip(results) {
+            let evaluated: Vec<_> = piece.rows.par_iter().map(|row| self.row(row)).collect();
+            let mut outcomes = Vec::with_capacity(evaluated.len());
+            for (Read { row, .. }, outcome) in piece.rows.iter().zip(evaluated) {
                 count += 1;
-                let (cells, error) = match result {
-                    Ok(result) => {
-                        self.doubt(row.line, result.warning);
-                        (result.cells, result.error)
+                outcomes.push(match outcome {
+                    Ok(outcome) => {
+                        self.doubt(row.line, outcome.warning);
+                        (outcome.values, outcome.error)
                     }
                     Err(why) if self.keep_going => {
                         self.failed += 1;
-                        (vec![String::new(); self.quantities.len()], why)
+                        (vec![None; self.quantities.len()], why)
                     }
                     Err(why) => {
                         let text = format!(
-                            "{}: line {}: {why}; no results are written",
-                            self.name, row.line
+                            "{}: {} {}: {why}; no results are written",
+                            self.name, self.unit, row.line
                         );
                         return Err(Failure::input(text));
                     }
-                };
-                let mut record: ByteRecord = self.columns.carried(&row.fields).collect();
-                record.extend(cells);
-                record.push_field(error.as_bytes());
-                write(writer, &record)?;
+                });
             }
+            results.write(&self.columns, &piece, &outcomes)?;
         }
-    }
-
-    fn batch(&self, rows: &mut Rows<Box<dyn BufRead>>) -> Result<Vec<Read>, Failure> {
-        let mut batch = Vec::new();
-        while batch.len() < BATCH {
-            match rows.next_row() {
-                Ok(Some(row)) => batch.push(Read { row, broken: None }),
-                Ok(None) => break,
-                Err(TableError::OpenQuote { first_line: row }) if self.keep_going => {
-                    batch.push(Read {
-                        row,
-                        broken: Some(OPEN_QUOTE),
-                    });
-                }
-                Err(error) => return Err(Failure::input(format!("{}: {error}", self.name))),
-            }
-        }
-        Ok(batch)
     }
 
     /// Counts a row with a warning.
@@ -278,25 +225,24 @@ impl Evaluation {
         let rotor = Rotor::new(parameters).map_err(|error| error.to_string())?;
         let mut reasons: Vec<String> = Vec::new();
         let results = quantity::evaluate(&self.quantities, &rotor);
-        let cells = self
+        let values = self
             .quantities
             .iter()
             .zip(results)
             .map(
                 |(&quantity, result)| match checked(&rotor, quantity, result) {
-                    // The shortest digits that read back as the same number; a zero has no sign.
-                    Ok(value) => format!("{:?}", value + 0.0),
+                    Ok(value) => Some(value),
                     Err(reason) => {
                         if !reasons.contains(&reason) {
                             reasons.push(reason);
                         }
-                        String::new()
+                        None
                     }
                 },
             )
             .collect();
         Ok(Evaluated {
-            cells,
+            values,
             error: reasons.join("; "),
             warning: doubts(&rotor).into_iter().next(),
         })
@@ -307,8 +253,8 @@ impl Evaluation {
     fn remark_on_rows(&self, count: u64) {
         if let Some(Doubtful { rows, first }) = &self.doubtful {
             output::remark(&format!(
-                "warning: {}: {rows} of {count} rows are doubtful, the first in line {}: {}",
-                self.name, first.0, first.1
+                "warning: {}: {rows} of {count} rows are doubtful, the first in {} {}: {}",
+                self.name, self.unit, first.0, first.1
             ));
         }
         if self.failed > 0 {

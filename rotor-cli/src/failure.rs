@@ -4,6 +4,8 @@ use std::io;
 use std::path::Path;
 use std::process::ExitCode;
 
+use crate::interrupt;
+
 /// How a command that ran to its end went.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Outcome {
@@ -43,6 +45,9 @@ pub(crate) enum Failure {
         /// What the system said.
         source: io::Error,
     },
+    /// Ctrl-C, or the system's wish that the program end.
+    #[error("{0}")]
+    Interrupted(String),
     /// Whoever read our output has had enough. No mistake, and nothing to say.
     #[error("the output was closed")]
     OutputClosed,
@@ -94,14 +99,16 @@ impl Failure {
                 text,
                 rendered: true,
             } => Some(Message::Drawn(text.clone())),
+            Self::Interrupted(text) => Some(Message::Plain(text.clone())),
             other => Some(Message::Plain(format!("error: {other}"))),
         }
     }
 
-    /// 2, or 0 where only the reader of the output went away.
+    /// 2; 128 and the signal's number, as shells have it, where it was interrupted; 0 where only the reader of the output went away.
     pub(crate) fn exit_code(&self) -> ExitCode {
         match self {
             Self::OutputClosed => ExitCode::SUCCESS,
+            Self::Interrupted(_) => ExitCode::from(interrupt::exit_code()),
             Self::Input { .. } | Self::Stream { .. } => ExitCode::from(2),
         }
     }

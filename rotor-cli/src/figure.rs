@@ -35,6 +35,8 @@ pub(crate) enum Plot {
     Panels(Vec<Panel>),
     /// A heat map with contours.
     Map(Box<Map>),
+    /// Small maps in a grid, row after row.
+    Maps(Vec<Map>),
 }
 
 /// Curves over one pair of axes.
@@ -73,10 +75,6 @@ pub(crate) enum Ticks {
     /// An angle in rad, written in fractions of π.
     FractionsOfPi,
     /// An angle in rad, written in degrees.
-    #[cfg_attr(
-        not(test),
-        expect(dead_code, reason = "no figure of the report has one yet")
-    )]
     Degrees,
 }
 
@@ -150,6 +148,8 @@ pub(crate) struct Annotation {
 /// A quantity over two others, as colours with contour lines.
 #[derive(Debug, Clone)]
 pub(crate) struct Map {
+    /// As `σ = 0.1`, of one of several maps; may be empty.
+    pub(crate) title: String,
     /// Horizontal axis.
     pub(crate) x: Axis,
     /// Vertical axis.
@@ -172,9 +172,27 @@ pub(crate) struct Map {
     pub(crate) note: String,
 }
 
+impl Map {
+    /// The line along which the map has a value, as the points of one curve with gaps.
+    pub(crate) fn level_line(&self, level: f64) -> Vec<(f64, Option<f64>)> {
+        let everywhere = (f64::NEG_INFINITY, f64::INFINITY);
+        let segments = map::contour(self, level, (everywhere, everywhere));
+        let points = segments
+            .into_iter()
+            .map(|(from, to)| [(from.0, Some(from.1)), (to.0, Some(to.1)), (to.0, None)]);
+        points.flatten().collect()
+    }
+}
+
 /// Why a figure could not be made.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum FigureError {
+    /// No map at all.
+    #[error("{figure}: there is no map to draw")]
+    NoMap {
+        /// Name of the figure.
+        figure: String,
+    },
     /// Neither one nor two panels.
     #[error("{figure}: {count} panels; a figure has 1 or 2")]
     PanelCount {
@@ -319,10 +337,11 @@ impl Figure {
                     .iter()
                     .try_for_each(|panel| self.check_drawn(&panel.curves, &panel.annotations))
             }
-            Plot::Map(map) => {
-                self.check_map(map)?;
-                self.check_drawn(&map.curves, &map.annotations)
-            }
+            Plot::Map(map) => self.check_map(map),
+            Plot::Maps(maps) if maps.is_empty() => Err(FigureError::NoMap {
+                figure: self.name.clone(),
+            }),
+            Plot::Maps(maps) => maps.iter().try_for_each(|map| self.check_map(map)),
         }
     }
 
@@ -374,10 +393,10 @@ impl Figure {
         for (index, value) in map.values.iter().enumerate() {
             self.check_finite(&what, "value", index, value.unwrap_or(0.0))?;
         }
-        map.levels
-            .iter()
-            .enumerate()
-            .try_for_each(|(index, level)| self.check_finite(&what, "level", index, *level))
+        for (index, level) in map.levels.iter().enumerate() {
+            self.check_finite(&what, "level", index, *level)?;
+        }
+        self.check_drawn(&map.curves, &map.annotations)
     }
 
     /// The value is finite.

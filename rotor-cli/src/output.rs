@@ -50,7 +50,7 @@ pub(crate) enum Destination {
     /// Kept back until it is complete.
     Stream {
         kept: SpooledTempFile,
-        stream: Box<dyn Write>,
+        stream: Box<dyn Write + Send>,
         name: String,
     },
     /// Written beside the target.
@@ -71,7 +71,7 @@ impl Destination {
     /// Where the folder does not exist or cannot be written to, or `path` is a folder.
     pub(crate) fn open(path: &Path) -> Result<Self, Failure> {
         if path.as_os_str() == "-" {
-            let stdout = Box::new(io::stdout().lock());
+            let stdout = Box::new(io::stdout());
             return Ok(Self::to_stream(stdout, "standard output".to_owned()));
         }
         // A link keeps pointing where it pointed: what it points to is replaced.
@@ -113,7 +113,7 @@ impl Destination {
         })
     }
 
-    fn to_stream(stream: Box<dyn Write>, name: String) -> Self {
+    fn to_stream(stream: Box<dyn Write + Send>, name: String) -> Self {
         Self::Stream {
             kept: SpooledTempFile::new(MOST_IN_MEMORY),
             stream,

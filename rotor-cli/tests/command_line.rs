@@ -6,7 +6,7 @@ use std::process::{Command, Stdio};
 
 use common::Workplace;
 
-const COMMANDS: [&str; 5] = ["report", "evaluate", "zup", "init", "show"];
+const COMMANDS: [&str; 6] = ["report", "evaluate", "scan", "zup", "init", "show"];
 
 /// The examples of a help text, as a shell takes them.
 fn examples(help: &str) -> Vec<String> {

@@ -535,3 +535,54 @@ fn a_long_table_is_in_order() {
         assert_eq!(rows[row], cells(&alone.stdout)[1], "row {row}");
     }
 }
+
+#[test]
+fn tables_come_and_go_in_every_format_with_the_same_numbers() {
+    let table =
+        "name,disk_polar_inertia,crack.model\n\"A, B\",0.2096,support-arm\nC,0.2794,midspan-arm\n";
+    let place = Workplace::new().with("in.csv", table);
+    let evaluate = |from: &str, to: &str| {
+        let run = place.run(&["evaluate", from, "-q", "sir_width,cir_width", "-o", to]);
+        assert_eq!((run.code, run.stderr.as_str()), (0, ""), "{from} to {to}");
+    };
+    evaluate("in.csv", "direct.csv");
+    for (first, second) in [("a.parquet", "b.arrow"), ("c.arrow", "d.parquet")] {
+        evaluate("in.csv", first);
+        // The results are computed anew from the columns of the file.
+        let run = place.run(&["evaluate", first, "-q", "sir_width,cir_width", "-o", second]);
+        assert!(run.stderr.contains("computed anew"), "{}", run.stderr);
+        let run = place.run(&["evaluate", second, "-q", "sir_width,cir_width"]);
+        assert_eq!(run.stdout, place.read("direct.csv"), "{second}");
+    }
+}
+
+#[test]
+fn a_bad_row_of_a_file_of_columns_is_told_by_its_number() {
+    let place = Workplace::new().with("in.csv", "crack_depth_ratio\n0.1\n7\n");
+    let run = place.run(&["evaluate", "in.csv", "-k", "-q", "beta", "-o", "in.parquet"]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    let run = place.run(&["evaluate", "in.parquet", "-q", "beta"]);
+    assert_eq!(run.code, 2);
+    let message = run.stderr.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(
+        message.contains("in.parquet: row 2: column `crack_depth_ratio`: \"7.0\" is not allowed"),
+        "{message}"
+    );
+    let broken = Workplace::new()
+        .with("in.parquet", "no parquet")
+        .with("in.arrow", "no arrow");
+    for name in ["in.parquet", "in.arrow"] {
+        let run = broken.run(&["evaluate", name]);
+        assert!(
+            run.code == 2 && run.stderr.contains(&format!("cannot read `{name}`")),
+            "{}",
+            run.stderr
+        );
+    }
+    let run = broken.run_on(&["evaluate", "-", "-o", "out.npy"], b"crack_angle\n0\n");
+    assert!(
+        run.stderr.contains("cannot write `out.npy`"),
+        "{}",
+        run.stderr
+    );
+}

@@ -15,6 +15,7 @@
 //! | [`zero_unstable_point`] | the crack angle, depth and position that close a region |
 //! | [`stability`] | the exact quartic, Hill's determinant and the monodromy matrix |
 //! | [`quantity`] | every result by its name |
+//! | [`scan`] | quantities over grids and samples of rotors |
 //! | [`corrections`] | E1 to E13: what differs from the printed text, and why |
 //!
 //! ```
@@ -33,6 +34,7 @@ pub mod quantity;
 pub mod region;
 mod roots;
 pub mod rotor;
+pub mod scan;
 pub mod stability;
 pub mod zero_unstable_point;
 

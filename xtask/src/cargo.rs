@@ -30,7 +30,8 @@ pub(crate) fn shown(command: &Command) -> String {
     let arguments = command
         .get_args()
         .map(|argument| argument.to_string_lossy());
-    std::iter::once("cargo".into())
+    let program = Path::new(command.get_program()).file_name();
+    std::iter::once(program.unwrap_or_default().to_string_lossy())
         .chain(arguments)
         .collect::<Vec<_>>()
         .join(" ")

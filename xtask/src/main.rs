@@ -10,6 +10,7 @@
 mod cargo;
 mod house;
 mod pictures;
+mod readers;
 mod readme;
 
 use std::path::{Path, PathBuf};
@@ -28,7 +29,7 @@ struct Step {
 }
 
 /// All parts, in the order in which `test` runs them.
-const STEPS: [Step; 6] = [
+const STEPS: [Step; 7] = [
     Step {
         name: "fmt",
         description: "cargo fmt --all --check",
@@ -58,6 +59,11 @@ const STEPS: [Step; 6] = [
         name: "readme",
         description: "every command that README.md names is one that `rotor` and `cargo xtask` have",
         run: readme::commands,
+    },
+    Step {
+        name: "readers",
+        description: "tables of `rotor` read by pandas, polars, pyarrow, DuckDB and NumPy (needs python3)",
+        run: readers::check,
     },
 ];
 

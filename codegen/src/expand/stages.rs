@@ -50,8 +50,7 @@ impl Expansion {
     pub(super) fn use_tables_in_packs(&mut self, graph: &Graph, circuit: &Circuit) {
         self.use_tables(graph, circuit);
         for net in circuit.nets() {
-            if let Operation::Tabulated { table, order, .. } =
-                circuit.operation(net)
+            if let Operation::Tabulated { table, order, .. } = circuit.operation(net)
                 && let Some(known) = graph.tables.get(*table)
             {
                 let name = table_function(graph, *table, *order);

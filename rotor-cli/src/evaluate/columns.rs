@@ -150,6 +150,20 @@ impl Columns {
             .map(|index| fields.get(index).unwrap_or_default())
     }
 
+    /// The columns that are carried through.
+    pub(crate) fn kept(&self) -> impl Iterator<Item = usize> {
+        (0..self.width).filter(|&index| self.kept[index])
+    }
+
+    /// The numeric input that a column gives.
+    pub(crate) fn number(&self, index: usize) -> Option<&'static NumericInput> {
+        let column = self.inputs.iter().find(|column| column.index == index)?;
+        match column.input {
+            Input::Number(input) => Some(input),
+            Input::Choice(_) => None,
+        }
+    }
+
     /// The rotor that a row describes; inputs without a column are the base rotor's.
     ///
     /// # Errors

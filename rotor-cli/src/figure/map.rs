@@ -10,8 +10,6 @@ use super::text::{self, Fonts, Shape};
 use super::ticks::{Ends, Scale};
 use super::{Axis, Figure, FigureError, Map, Ticks};
 
-/// Height of a map without its legend in pixels.
-const HEIGHT: f64 = 400.0;
 /// Distance of the colour bar from the frame and its width in pixels.
 const BAR: (f64, f64) = (16.0, 14.0);
 /// Shades of the colour scale.
@@ -21,12 +19,12 @@ const LETTERS: f64 = 10.5;
 /// Where the quantity does not exist.
 const NOTHING: RGBColor = RGBColor(0xf0, 0xf0, 0xf0);
 
-/// Lays a map out on a page of a width in pixels.
+/// Lays a map out at a place of a size in pixels, its legend above not counted.
 pub(super) fn layout(
     figure: &Figure,
     map: &Map,
     fonts: &Fonts,
-    width: f64,
+    (at, size): ((f64, f64), (f64, f64)),
 ) -> Result<Layout, FigureError> {
     let of = |axis: &Axis, values: &[f64]| {
         frame::scale(figure, "", axis, values.iter().copied(), (Ends::Kept, 6.0))
@@ -34,16 +32,15 @@ pub(super) fn layout(
     let (x, y) = (of(&map.x, &map.x_values)?, of(&map.y, &map.y_values)?);
     let bar = bar_scale(map).map_or(0.0, |scale| BAR.0 + BAR.1 + Layout::beside(&scale, fonts));
     let left = Layout::beside(&y, fonts);
-    let size = (width - 16.0, HEIGHT);
     let mut layout = Layout {
-        at: (8.0, 8.0),
+        at,
         size,
         margin: (0.0, bar.max(18.0)),
         x,
         y,
         left,
     };
-    let legend = Legend::new("", &map.curves, fonts, layout.frame_width()).height();
+    let legend = Legend::new(&map.title, &map.curves, fonts, layout.frame_width()).height();
     layout.margin.0 = legend + 8.0;
     layout.size.1 += legend;
     Ok(layout)
@@ -102,7 +99,7 @@ pub(super) fn draw(
     let drawn = (&map.curves[..], &map.annotations[..]);
     frame::annotations(page, &frame, drawn, &contour_labels, fonts)?;
     frame::note(page, &frame, &map.note, fonts)?;
-    Legend::new("", &map.curves, fonts, pixels(frame.width())).draw(page, &frame)
+    Legend::new(&map.title, &map.curves, fonts, pixels(frame.width())).draw(page, &frame)
 }
 
 /// The shade of a value.

@@ -9,12 +9,16 @@ use super::frame::{self, Layout};
 use super::panel::{self, Drawing, Legend, Page};
 use super::text::{self, Fonts, Shape};
 use super::ticks::Ends;
-use super::{Figure, FigureError, Panel, Plot, map};
+use super::{Figure, FigureError, Map, Panel, Plot, map};
 
 /// Width of a page with one plot, and with two, in pixels.
 const WIDTHS: (f64, f64) = (640.0, 900.0);
 /// Height of a plot without its legend in pixels.
 const HEIGHT: f64 = 330.0;
+/// Height of a map without its legend in pixels.
+const MAP_HEIGHT: f64 = 400.0;
+/// Width and height of a small map without its legend in pixels, and how many stand side by side.
+const SMALL_MAP: ((f64, f64), usize) = ((420.0, 300.0), 3);
 /// Space about the page, and on the right of a frame, where the last tick's label reaches out.
 const SPACE: (f64, f64) = (8.0, 18.0);
 /// Size of the caption's letters and the distance of its lines in pixels.
@@ -27,7 +31,11 @@ pub(super) fn draw(figure: &Figure, lettering: Lettering) -> Result<String, Figu
     let fonts = Fonts::embedded()?;
     let (layouts, width) = match &figure.plot {
         Plot::Panels(panels) => panel_layouts(figure, panels, &fonts)?,
-        Plot::Map(map) => (vec![map::layout(figure, map, &fonts, WIDTHS.0)?], WIDTHS.0),
+        Plot::Map(map) => {
+            let place = ((SPACE.0, SPACE.0), (WIDTHS.0 - 2.0 * SPACE.0, MAP_HEIGHT));
+            (vec![map::layout(figure, map, &fonts, place)?], WIDTHS.0)
+        }
+        Plot::Maps(maps) => map_layouts(figure, maps, &fonts)?,
     };
     let bottom = layouts
         .iter()
@@ -65,6 +73,11 @@ fn contents(
         }
         Plot::Map(map) => {
             for layout in layouts {
+                map::draw(page, map, layout, fonts)?;
+            }
+        }
+        Plot::Maps(maps) => {
+            for (map, layout) in maps.iter().zip(layouts) {
                 map::draw(page, map, layout, fonts)?;
             }
         }
@@ -124,6 +137,37 @@ fn panel_layouts(
         layout.margin.0 = legend + 6.0;
         layout.size.1 = HEIGHT + legend;
     }
+    Ok((layouts, width))
+}
+
+/// Places small maps in rows, those of a row with their frames at one height.
+fn map_layouts(
+    figure: &Figure,
+    maps: &[Map],
+    fonts: &Fonts,
+) -> Result<(Vec<Layout>, f64), FigureError> {
+    let (size, most) = SMALL_MAP;
+    let columns = maps.len().clamp(1, most);
+    let mut layouts = Vec::new();
+    let mut top = SPACE.0;
+    for row in maps.chunks(columns) {
+        let first = layouts.len();
+        for (column, map) in row.iter().enumerate() {
+            let at = (SPACE.0 + size.0 * column as f64, top);
+            layouts.push(map::layout(figure, map, fonts, (at, size))?);
+        }
+        let in_row = layouts.get_mut(first..).unwrap_or_default();
+        let legend = in_row
+            .iter()
+            .map(|layout| layout.margin.0)
+            .fold(0.0, f64::max);
+        for layout in in_row {
+            layout.size.1 += legend - layout.margin.0;
+            layout.margin.0 = legend;
+            top = top.max(layout.at.1 + layout.size.1);
+        }
+    }
+    let width = (size.0 * columns as f64 + 2.0 * SPACE.0).max(WIDTHS.0);
     Ok((layouts, width))
 }
 

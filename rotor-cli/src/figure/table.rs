@@ -3,7 +3,7 @@
 use std::io;
 
 use super::text::plain;
-use super::{Annotation, Axis, Curve, Figure, FigureError, Plot};
+use super::{Annotation, Axis, Curve, Figure, FigureError, Map, Plot};
 
 /// Writes everything that a figure shows.
 pub(super) fn write(figure: &Figure) -> Result<String, FigureError> {
@@ -30,24 +30,43 @@ pub(super) fn write(figure: &Figure) -> Result<String, FigureError> {
         Plot::Map(map) => {
             let (x, y) = (plain(&map.x.label), plain(&map.y.label));
             table.write_record(["curve", &x, &y, &plain(&map.value_label)])?;
-            for (y, row) in map
-                .y_values
-                .iter()
-                .zip(map.values.chunks(map.x_values.len()))
-            {
-                for (x, value) in map.x_values.iter().zip(row) {
-                    table.write_record(["map", &number(*x), &number(*y), &cell(*value)])?;
-                }
+            map_rows(map, |row| table.write_record(row))?;
+        }
+        Plot::Maps(maps) => {
+            let x = headings(maps.iter().map(|map| &map.x)).join(" | ");
+            let y = headings(maps.iter().map(|map| &map.y)).join(" | ");
+            table.write_record(["map", "curve", &x, &y, "value"])?;
+            for map in maps {
+                let title = plain(&map.title);
+                map_rows(map, |[curve, x, y, value]| {
+                    table.write_record([&title, curve, x, y, value])
+                })?;
             }
-            drawn(&map.curves, &map.annotations, |curve, x, y| {
-                table.write_record([curve, x, y, ""])
-            })?;
         }
     }
     let bytes = table
         .into_inner()
         .map_err(|error| csv::Error::from(error.into_error()))?;
     Ok(String::from_utf8(bytes).map_err(|error| csv::Error::from(io::Error::other(error)))?)
+}
+
+/// Hands every row of a map to `line`: the map's own points, then those of its curves.
+fn map_rows(
+    map: &Map,
+    mut line: impl FnMut([&str; 4]) -> Result<(), csv::Error>,
+) -> Result<(), csv::Error> {
+    for (y, row) in map
+        .y_values
+        .iter()
+        .zip(map.values.chunks(map.x_values.len()))
+    {
+        for (x, value) in map.x_values.iter().zip(row) {
+            line(["map", &number(*x), &number(*y), &cell(*value)])?;
+        }
+    }
+    drawn(&map.curves, &map.annotations, |curve, x, y| {
+        line([curve, x, y, ""])
+    })
 }
 
 /// Hands every point of curves and annotations to `line`: its label, x and y.
@@ -72,7 +91,7 @@ fn drawn(
     Ok(())
 }
 
-/// The labels of the panels' axes, each once.
+/// The labels of axes, each once.
 fn headings<'a>(axes: impl Iterator<Item = &'a Axis>) -> Vec<String> {
     let mut labels: Vec<String> = Vec::new();
     for label in axes.map(|axis| plain(&axis.label)) {

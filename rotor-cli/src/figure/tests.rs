@@ -124,6 +124,7 @@ fn map_figure() -> Figure {
         name: "figure-8".to_owned(),
         caption: "Figure 8. Width λ_s over crack depth and angle; grey: no region.".to_owned(),
         plot: Plot::Map(Box::new(Map {
+            title: String::new(),
             x: axis("crack depth ratio σ [–]", Ticks::Decimal),
             y: axis("crack angle φ [°]", Ticks::Degrees),
             x_values,
@@ -189,7 +190,7 @@ fn one_line(points: Vec<(f64, Option<f64>)>) -> Figure {
 fn panel_of(figure: &mut Figure) -> &mut Panel {
     match &mut figure.plot {
         Plot::Panels(panels) => &mut panels[0],
-        Plot::Map(_) => panic!("not a map"),
+        Plot::Map(_) | Plot::Maps(_) => panic!("not a map"),
     }
 }
 

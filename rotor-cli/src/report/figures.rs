@@ -71,6 +71,10 @@ fn rotor_of(analysis: &Analysis, plot: &Plot) -> String {
     let axes: String = match plot {
         Plot::Panels(panels) => panels.iter().map(|p| p.x.label.as_str()).collect(),
         Plot::Map(map) => [map.x.label.as_str(), map.y.label.as_str()].concat(),
+        Plot::Maps(maps) => maps
+            .iter()
+            .flat_map(|map| [map.x.label.as_str(), map.y.label.as_str()])
+            .collect(),
     };
     let inputs = [
         ("Δ_d", p.disk_asymmetry),
@@ -229,7 +233,7 @@ mod tests {
     fn panels(figure: &Figure) -> &[Panel] {
         match &figure.plot {
             Plot::Panels(panels) => panels,
-            Plot::Map(_) => panic!("{} is a map", figure.name),
+            Plot::Map(_) | Plot::Maps(_) => panic!("{} is a map", figure.name),
         }
     }
 

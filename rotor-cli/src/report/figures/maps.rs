@@ -57,6 +57,7 @@ pub(super) fn figure(rotor: &Rotor, kind: RegionKind) -> Figure {
             "Width {symbol} of the {region} over the crack's angle and depth, Eq. (31). {OWN_SPEED}"
         ),
         plot: Plot::Map(Box::new(Map {
+            title: String::new(),
             x: angle_axis(),
             y: depth_axis(rotor),
             x_values: angles,

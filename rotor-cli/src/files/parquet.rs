@@ -1,0 +1,99 @@
+//! Parquet: each part is a small file of one row group, whose columns are moved into the whole
+//! without being decoded.
+
+use std::io::{self, Write};
+use std::sync::Arc;
+
+use arrow_array::RecordBatch;
+use arrow_schema::Schema;
+use bytes::Bytes;
+use parquet::arrow::{ArrowSchemaConverter, ArrowWriter, add_encoded_arrow_schema_to_metadata};
+use parquet::column::writer::ColumnCloseResult;
+use parquet::errors::ParquetError;
+use parquet::file::metadata::{KeyValue, ParquetMetaDataReader};
+use parquet::file::properties::{EnabledStatistics, WriterProperties};
+use parquet::file::writer::SerializedFileWriter;
+use parquet::schema::types::ColumnPath;
+
+/// How columns are written: those that repeat few values as a dictionary, results plainly.
+fn properties(schema: &Schema) -> WriterProperties {
+    let mut properties = WriterProperties::builder()
+        .set_created_by(concat!("rotor ", env!("CARGO_PKG_VERSION")).to_owned())
+        .set_statistics_enabled(EnabledStatistics::Chunk)
+        .set_offset_index_disabled(true)
+        .set_max_row_group_row_count(None);
+    for field in schema.fields().iter().filter(|field| field.is_nullable()) {
+        let path = ColumnPath::from(field.name().as_str());
+        properties = properties.set_column_dictionary_enabled(path, false);
+    }
+    properties.build()
+}
+
+/// Encodes a batch.
+pub(super) fn encode(batch: &RecordBatch) -> io::Result<Vec<u8>> {
+    let schema = batch.schema();
+    let properties = Some(properties(&schema));
+    let mut writer = ArrowWriter::try_new(Vec::new(), schema, properties).map_err(of_system)?;
+    writer.write(batch).map_err(of_system)?;
+    writer.into_inner().map_err(of_system)
+}
+
+/// A file on its way.
+pub(crate) struct Joined<W: Write + Send>(SerializedFileWriter<W>);
+
+impl<W: Write + Send> Joined<W> {
+    pub(super) fn new(output: W, schema: &Schema) -> io::Result<Self> {
+        let mut properties = properties(schema);
+        add_encoded_arrow_schema_to_metadata(schema, &mut properties);
+        let columns = ArrowSchemaConverter::new()
+            .convert(schema)
+            .map_err(of_system)?;
+        let mut writer =
+            SerializedFileWriter::new(output, columns.root_schema_ptr(), Arc::new(properties))
+                .map_err(of_system)?;
+        let mut about: Vec<_> = schema.metadata().iter().collect();
+        about.sort();
+        for (key, value) in about {
+            writer.append_key_value_metadata(KeyValue::new(key.clone(), value.clone()));
+        }
+        Ok(Self(writer))
+    }
+
+    pub(super) fn add(&mut self, part: Vec<u8>) -> io::Result<()> {
+        let part = Bytes::from(part);
+        let metadata = ParquetMetaDataReader::new()
+            .parse_and_finish(&part)
+            .map_err(of_system)?;
+        for group in metadata.row_groups() {
+            let mut joined = self.0.next_row_group().map_err(of_system)?;
+            for column in group.columns() {
+                let moved = ColumnCloseResult {
+                    bytes_written: column.compressed_size().cast_unsigned(),
+                    rows_written: group.num_rows().cast_unsigned(),
+                    metadata: column.clone(),
+                    bloom_filter: None,
+                    column_index: None,
+                    offset_index: None,
+                };
+                joined.append_column(&part, moved).map_err(of_system)?;
+            }
+            joined.close().map_err(of_system)?;
+        }
+        Ok(())
+    }
+
+    pub(super) fn finish(self) -> io::Result<W> {
+        self.0.into_inner().map_err(of_system)
+    }
+}
+
+/// The system's error inside of the crate's, as a full disk; the crate's own as a text.
+fn of_system(error: ParquetError) -> io::Error {
+    match error {
+        ParquetError::External(error) => match error.downcast::<io::Error>() {
+            Ok(error) => *error,
+            Err(other) => io::Error::other(other),
+        },
+        other => io::Error::other(other.to_string()),
+    }
+}

@@ -1,0 +1,162 @@
+//! Why a scan cannot be made, or stopped.
+
+use thiserror::Error;
+
+use crate::rotor::NumericInput;
+
+use super::space::MOST_POINTS;
+
+/// Why an axis, a scan or a reduction cannot be, or why a scan ended early.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum ScanError {
+    /// An axis without a value: the whole scan would have no point.
+    #[error("the axis of {input} has no value; it must have at least one")]
+    EmptyAxis {
+        /// The first input of the axis.
+        input: &'static str,
+    },
+    /// One value cannot be both ends of a range.
+    #[error(
+        "the axis of {input} runs from {start} to {stop} in one value, which cannot be both; \
+         give at least 2 values, or the one value alone"
+    )]
+    OneValueForTwoEnds {
+        /// The input.
+        input: &'static str,
+        /// First value.
+        start: f64,
+        /// Last value.
+        stop: f64,
+    },
+    /// A value that the input does not allow, NaN among them.
+    #[error("value {} of the axis of {name} is {value}; it must be {allowed}", .index + 1,
+        name = .input.name, allowed = .input.allowed)]
+    NotAllowed {
+        /// The input.
+        input: &'static NumericInput,
+        /// Which value of the axis, from 0.
+        index: u64,
+        /// The value.
+        value: f64,
+    },
+    /// A logarithmic range needs ends above zero.
+    #[error(
+        "the logarithmic axis of {input} runs from {start} to {stop}; both ends must be > 0 for a \
+         constant ratio between neighbours"
+    )]
+    NoLogarithm {
+        /// The input.
+        input: &'static str,
+        /// First value.
+        start: f64,
+        /// Last value.
+        stop: f64,
+    },
+    /// A distribution with parameters that it does not have.
+    #[error("the distribution of {input} has {parameter} = {value}; it must be {allowed}")]
+    Distribution {
+        /// The input.
+        input: &'static str,
+        /// Such as `the standard deviation`.
+        parameter: &'static str,
+        /// The value.
+        value: f64,
+        /// What it has to be.
+        allowed: &'static str,
+    },
+    /// Linked inputs have a different number of values.
+    #[error(
+        "{first} has {first_length} values and {other} has {other_length}; inputs that are varied \
+         together must have the same number"
+    )]
+    LinkedLengths {
+        /// The first linked input.
+        first: &'static str,
+        /// How many values it has.
+        first_length: u64,
+        /// The one that differs.
+        other: &'static str,
+        /// How many values that has.
+        other_length: u64,
+    },
+    /// An input is varied by two axes, or twice by one.
+    #[error("{input} is varied twice; each input can be varied by one axis only")]
+    VariedTwice {
+        /// The input.
+        input: &'static str,
+    },
+    /// Nothing is varied.
+    #[error("nothing is varied; a scan needs at least one axis")]
+    NoAxis,
+    /// No result is asked for.
+    #[error("no quantity is asked for; a scan needs at least one")]
+    NoQuantity,
+    /// More points than can be counted.
+    #[error(
+        "the axes have {lengths} values, together more than {MOST_POINTS} points (2^53), the most \
+         that a scan can have"
+    )]
+    TooManyPoints {
+        /// The lengths of the axes, `401 × 721`.
+        lengths: String,
+    },
+    /// A reduction over an input that is not varied.
+    #[error("the reduction {reduction} is over {input}, which is not varied; varied are {varied}")]
+    NotVaried {
+        /// The reduction as it is written.
+        reduction: String,
+        /// The input.
+        input: &'static str,
+        /// The inputs that are varied.
+        varied: String,
+    },
+    /// A reduction that keeps too many results in memory.
+    #[error(
+        "the reductions keep {cells} results in memory; the most is {most}. Reduce over a longer \
+         axis or over all, or write the points to a file"
+    )]
+    TooManyResults {
+        /// Results that would be kept.
+        cells: u64,
+        /// The most.
+        most: u64,
+    },
+    /// A histogram without bins or with ends that are none.
+    #[error(
+        "a histogram from {low} to {high} in {bins} bins; the ends must be finite numbers that \
+         increase, and the bins 1 to {most}"
+    )]
+    Histogram {
+        /// Lower end.
+        low: f64,
+        /// Upper end.
+        high: f64,
+        /// Bins.
+        bins: u32,
+        /// The most bins.
+        most: u32,
+    },
+    /// A threshold that is no number.
+    #[error("the threshold is {value}; it must be a finite number")]
+    Threshold {
+        /// The value.
+        value: f64,
+    },
+    /// The state of an interrupted reduction does not belong to this scan.
+    #[error("the saved state of the reductions does not belong to this scan, or is damaged")]
+    ForeignState,
+    /// The threads could not be started.
+    #[error("the threads could not be started: {reason}")]
+    Threads {
+        /// What the system said.
+        reason: String,
+    },
+    /// It was cancelled.
+    #[error("the scan was cancelled after {chunks} of {all} chunks")]
+    Cancelled {
+        /// Chunks that were finished and delivered.
+        chunks: u64,
+        /// All chunks.
+        all: u64,
+    },
+}

@@ -1,0 +1,450 @@
+//! Reductions: what is kept of a scan's points, per group of points.
+//!
+//! Each chunk is reduced alone, the parts are merged in the order of the chunks. The result
+//! therefore does not depend on the number of threads, not by a bit.
+
+mod cells;
+
+use std::fmt;
+
+use crate::rotor::NumericInput;
+
+use super::Plan;
+use super::chunk::{self, Block};
+use super::error::ScanError;
+use super::space::Space;
+
+use cells::Cell;
+
+/// The most results, over all reductions, quantities, groups and bins, that are kept in memory.
+pub const MOST_RESULTS: u64 = 1 << 21;
+
+/// The most bins of a histogram.
+pub const MOST_BINS: u32 = 1 << 16;
+
+/// What is kept of the values of a quantity. Points where it does not exist take no part.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Statistic {
+    /// The largest value.
+    Maximum,
+    /// The smallest value.
+    Minimum,
+    /// The largest value and the first point that has it.
+    ArgMaximum,
+    /// The smallest value and the first point that has it.
+    ArgMinimum,
+    /// The mean.
+    Mean,
+    /// How many values are above a threshold.
+    CountAbove(f64),
+    /// How many values fall into each of some equally wide bins. A bin has its lower end; the last
+    /// one has both. Values below and above all bins are counted too.
+    Histogram {
+        /// Lower end of the first bin.
+        low: f64,
+        /// Upper end of the last bin.
+        high: f64,
+        /// How many bins.
+        bins: u32,
+    },
+}
+
+impl Statistic {
+    /// The name, as on the command line: `max`, `argmin`, `count`.
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::Maximum => "max",
+            Self::Minimum => "min",
+            Self::ArgMaximum => "argmax",
+            Self::ArgMinimum => "argmin",
+            Self::Mean => "mean",
+            Self::CountAbove(_) => "count",
+            Self::Histogram { .. } => "histogram",
+        }
+    }
+
+    /// Whether the point at which the value lies is a part of the answer.
+    pub const fn locates(&self) -> bool {
+        matches!(self, Self::ArgMaximum | Self::ArgMinimum)
+    }
+
+    fn check(&self) -> Result<(), ScanError> {
+        match *self {
+            Self::CountAbove(value) if !value.is_finite() => Err(ScanError::Threshold { value }),
+            Self::Histogram { low, high, bins }
+                if !(low.is_finite() && (high - low).is_finite() && low < high)
+                    || bins == 0
+                    || bins > MOST_BINS =>
+            {
+                Err(ScanError::Histogram {
+                    low,
+                    high,
+                    bins,
+                    most: MOST_BINS,
+                })
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+/// `max`, `count(0.05)`, `histogram(0,1,20)`.
+impl fmt::Display for Statistic {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::CountAbove(threshold) => write!(f, "count({threshold:?})"),
+            Self::Histogram { low, high, bins } => write!(f, "histogram({low:?},{high:?},{bins})"),
+            other => f.pad(other.name()),
+        }
+    }
+}
+
+/// A statistic over some axes; what remains are groups, one for each combination of the other axes'
+/// values.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reduction {
+    statistic: Statistic,
+    over: Vec<&'static NumericInput>,
+}
+
+impl Reduction {
+    /// A reduction over all axes: one group.
+    pub const fn new(statistic: Statistic) -> Self {
+        Self {
+            statistic,
+            over: Vec::new(),
+        }
+    }
+
+    /// Only over the axis of this input, and of others given so.
+    #[must_use]
+    pub fn over(mut self, input: &'static NumericInput) -> Self {
+        self.over.push(input);
+        self
+    }
+
+    /// The statistic.
+    pub const fn statistic(&self) -> &Statistic {
+        &self.statistic
+    }
+}
+
+/// `max`, `max:crack_angle`, `mean:crack_angle+disk_mass`.
+impl fmt::Display for Reduction {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", self.statistic)?;
+        for (index, input) in self.over.iter().enumerate() {
+            let separator = if index == 0 { ':' } else { '+' };
+            write!(f, "{separator}{}", input.name)?;
+        }
+        Ok(())
+    }
+}
+
+/// A reduction with the groups that it has in a space.
+#[derive(Clone, Debug)]
+pub(super) struct Grouping {
+    reduction: Reduction,
+    /// For each axis how many groups there are between two of its values, 0 if it is reduced.
+    strides: Vec<u64>,
+    groups: u64,
+    /// Cells of a group.
+    width: usize,
+}
+
+/// Finds the groups of all reductions.
+pub(super) fn groupings(
+    reductions: &[Reduction],
+    space: &Space,
+    quantities: usize,
+) -> Result<Vec<Grouping>, ScanError> {
+    let groupings: Vec<Grouping> = reductions
+        .iter()
+        .map(|reduction| grouping(reduction, space))
+        .collect::<Result<_, _>>()?;
+    let cells = groupings
+        .iter()
+        .map(|grouping| grouping.groups.saturating_mul(grouping.width as u64))
+        .fold(0, u64::saturating_add)
+        .saturating_mul(quantities as u64);
+    if cells > MOST_RESULTS {
+        let most = MOST_RESULTS;
+        return Err(ScanError::TooManyResults { cells, most });
+    }
+    Ok(groupings)
+}
+
+fn grouping(reduction: &Reduction, space: &Space) -> Result<Grouping, ScanError> {
+    reduction.statistic.check()?;
+    let axes = space.axes();
+    if let Some(input) = reduction
+        .over
+        .iter()
+        .find(|&&input| !axes.iter().any(|axis| axis.varies(input)))
+    {
+        let inputs = axes.iter().flat_map(super::Axis::inputs);
+        let varied: Vec<_> = inputs.map(|input| input.name).collect();
+        return Err(ScanError::NotVaried {
+            reduction: reduction.to_string(),
+            input: input.name,
+            varied: varied.join(", "),
+        });
+    }
+    let mut strides = vec![0; axes.len()];
+    let mut groups = 1;
+    for (axis, stride) in axes.iter().zip(&mut strides).rev() {
+        let all = reduction.over.is_empty();
+        if !all && !reduction.over.iter().any(|&input| axis.varies(input)) {
+            *stride = groups;
+            groups *= axis.len();
+        }
+    }
+    let width = match reduction.statistic {
+        Statistic::Histogram { bins, .. } => bins as usize + 2,
+        _ => 1,
+    };
+    Ok(Grouping {
+        reduction: reduction.clone(),
+        strides,
+        groups,
+        width,
+    })
+}
+
+impl Grouping {
+    /// The reduction.
+    pub(super) const fn reduction(&self) -> &Reduction {
+        &self.reduction
+    }
+
+    /// The group of a point.
+    fn group(&self, space: &Space, point: u64) -> u64 {
+        let mut rest = point;
+        let mut group = 0;
+        for (axis, stride) in space.axes().iter().zip(&self.strides).rev() {
+            group += rest % axis.len() * stride;
+            rest /= axis.len();
+        }
+        group
+    }
+
+    /// The first group of consecutive points, and how many there are up to the last.
+    fn window(&self, space: &Space, (first, length): (u64, u64)) -> (u64, u64) {
+        // Within a row groups increase; rows can be in any order.
+        let inner = space.axes().last().map_or(1, super::Axis::len);
+        let end = first + length;
+        let (mut low, mut high) = (u64::MAX, 0);
+        let mut point = first;
+        while point < end {
+            let last = (point + inner - point % inner).min(end) - 1;
+            low = low.min(self.group(space, point));
+            high = high.max(self.group(space, last));
+            point = last + 1;
+        }
+        (low, high + 1 - low)
+    }
+}
+
+/// What has been kept of some chunks, for every reduction of a plan.
+#[derive(Clone, Debug)]
+pub struct Reductions<'a> {
+    plan: &'a Plan,
+    parts: Vec<Part>,
+}
+
+/// What has been kept for one reduction: the groups of a window, for each quantity.
+#[derive(Clone, Debug)]
+struct Part {
+    first: u64,
+    cells: Vec<Vec<Cell>>,
+}
+
+impl<'a> Reductions<'a> {
+    /// Nothing yet, of all points.
+    pub(super) fn of_all(plan: &'a Plan) -> Self {
+        Self::new(plan, |grouping| (0, grouping.groups))
+    }
+
+    /// Nothing yet, of a chunk's points.
+    pub(super) fn of_chunk(plan: &'a Plan, number: u64) -> Self {
+        let extent = chunk::extent(plan, number);
+        Self::new(plan, |grouping| grouping.window(&plan.space, extent))
+    }
+
+    fn new(plan: &'a Plan, window: impl Fn(&Grouping) -> (u64, u64)) -> Self {
+        let part = |grouping: &Grouping| {
+            let (first, groups) = window(grouping);
+            let cells = groups as usize * grouping.width;
+            let empty = vec![Cell::empty(grouping.reduction.statistic); cells];
+            Part {
+                first,
+                cells: vec![empty; plan.quantities.len()],
+            }
+        };
+        let parts = plan.groupings.iter().map(part).collect();
+        Self { plan, parts }
+    }
+
+    /// Takes the results of a block.
+    pub(super) fn take(&mut self, block: &Block<'_>) {
+        for (grouping, part) in self.plan.groupings.iter().zip(&mut self.parts) {
+            let group = grouping.group(&self.plan.space, block.first) - part.first;
+            let start = group as usize * grouping.width;
+            let statistic = grouping.reduction.statistic;
+            let inner_is_reduced = grouping.strides.last() == Some(&0);
+            for (cells, values) in part.cells.iter_mut().zip(block.results) {
+                let cells = cells.get_mut(start..).unwrap_or_default();
+                if inner_is_reduced {
+                    cells::fold(statistic, cells, block.first, values);
+                } else {
+                    for ((cells, point), value) in cells
+                        .chunks_mut(grouping.width)
+                        .zip(block.first..)
+                        .zip(values.iter())
+                    {
+                        cells::fold(statistic, cells, point, std::slice::from_ref(value));
+                    }
+                }
+            }
+        }
+    }
+
+    /// Takes what a later chunk has kept.
+    pub(super) fn merge(&mut self, later: &Self) {
+        let groupings = self.plan.groupings.iter();
+        for ((grouping, part), later) in groupings.zip(&mut self.parts).zip(&later.parts) {
+            let start = (later.first - part.first) as usize * grouping.width;
+            for (cells, later) in part.cells.iter_mut().zip(&later.cells) {
+                let cells = cells.get_mut(start..).unwrap_or_default();
+                cells::merge(grouping.reduction.statistic, cells, later);
+            }
+        }
+    }
+
+    /// All of it as bytes, to go on from later with [`Plan::reduce_from`](super::Plan::reduce_from).
+    pub fn to_bytes(&self) -> Vec<u8> {
+        let cells = self
+            .parts
+            .iter()
+            .flat_map(|part| part.cells.iter().flatten());
+        cells.flat_map(|cell| cell.to_bytes()).collect()
+    }
+
+    /// What [`Reductions::to_bytes`] wrote, for the same plan.
+    pub(super) fn from_bytes(plan: &'a Plan, bytes: &[u8]) -> Result<Self, ScanError> {
+        let mut reductions = Self::of_all(plan);
+        let (mut cells, rest) = bytes.as_chunks::<16>();
+        if !rest.is_empty() {
+            return Err(ScanError::ForeignState);
+        }
+        for cell in reductions
+            .parts
+            .iter_mut()
+            .flat_map(|part| part.cells.iter_mut().flatten())
+        {
+            let Some((first, others)) = cells.split_first() else {
+                return Err(ScanError::ForeignState);
+            };
+            *cell = Cell::from_bytes(first);
+            cells = others;
+        }
+        if cells.is_empty() {
+            Ok(reductions)
+        } else {
+            Err(ScanError::ForeignState)
+        }
+    }
+
+    /// The results, one for each reduction.
+    pub(super) fn finish(self) -> Vec<Reduced> {
+        let groupings = self.plan.groupings.iter().cloned();
+        groupings
+            .zip(self.parts)
+            .map(|(grouping, part)| Reduced {
+                grouping,
+                cells: part.cells,
+            })
+            .collect()
+    }
+}
+
+/// The results of one reduction.
+#[derive(Clone, Debug)]
+pub struct Reduced {
+    grouping: Grouping,
+    cells: Vec<Vec<Cell>>,
+}
+
+impl Reduced {
+    /// The reduction.
+    pub const fn reduction(&self) -> &Reduction {
+        &self.grouping.reduction
+    }
+
+    /// How many groups there are.
+    pub const fn groups(&self) -> u64 {
+        self.grouping.groups
+    }
+
+    /// The numbers of the axes that are not reduced, the innermost last.
+    pub fn kept(&self) -> Vec<usize> {
+        let strides = self.grouping.strides.iter().enumerate();
+        strides
+            .filter(|(_, stride)| **stride > 0)
+            .map(|(axis, _)| axis)
+            .collect()
+    }
+
+    /// The index of a group along the axis number `axis`; none for one that is reduced.
+    pub fn index(&self, space: &Space, axis: usize, group: u64) -> Option<u64> {
+        let stride = *self.grouping.strides.get(axis)?;
+        let length = space.axes().get(axis)?.len();
+        (stride > 0).then(|| group / stride % length)
+    }
+
+    /// The value of a quantity's statistic in a group: a maximum, minimum, mean or count; of a
+    /// histogram the count in all bins. None where the quantity exists at none of the group's
+    /// points, except for a count, which then is 0.
+    pub fn value(&self, quantity: usize, group: u64) -> Option<f64> {
+        let cells = self.group(quantity, group)?;
+        match self.grouping.reduction.statistic {
+            Statistic::Histogram { .. } => {
+                let bins = cells.get(1..cells.len() - 1)?;
+                Some(bins.iter().map(|cell| cell.number).sum::<u64>() as f64)
+            }
+            statistic => cells.first()?.value(statistic),
+        }
+    }
+
+    /// The point at which the maximum or minimum of a group lies; the first, where there are more.
+    pub fn point(&self, quantity: usize, group: u64) -> Option<u64> {
+        let statistic = self.grouping.reduction.statistic;
+        let cell = self.group(quantity, group)?.first()?;
+        let located = statistic.locates() && cell.value(statistic).is_some();
+        located.then_some(cell.number)
+    }
+
+    /// The counts of a histogram in a group: below all bins, in each bin, above all bins. Empty for
+    /// other statistics.
+    pub fn histogram(&self, quantity: usize, group: u64) -> Vec<u64> {
+        let histogram = matches!(
+            self.grouping.reduction.statistic,
+            Statistic::Histogram { .. }
+        );
+        let cells = self.group(quantity, group).filter(|_| histogram);
+        cells
+            .unwrap_or_default()
+            .iter()
+            .map(|cell| cell.number)
+            .collect()
+    }
+
+    fn group(&self, quantity: usize, group: u64) -> Option<&[Cell]> {
+        let start = usize::try_from(group)
+            .ok()?
+            .checked_mul(self.grouping.width)?;
+        self.cells
+            .get(quantity)?
+            .get(start..start + self.grouping.width)
+    }
+}

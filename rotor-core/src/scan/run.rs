@@ -1,0 +1,269 @@
+//! Running a plan: chunks on all threads, delivered in order, with few of them in memory.
+
+use std::collections::{BTreeMap, VecDeque};
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc;
+
+use rayon::{ThreadPool, ThreadPoolBuilder};
+use thiserror::Error;
+
+use super::Plan;
+use super::chunk::{self, Chunk, Counts};
+use super::error::ScanError;
+use super::reduce::{Reduced, Reductions};
+use super::sink::Sink;
+
+/// Asks running scans to stop; clones ask the same ones.
+#[derive(Clone, Debug, Default)]
+pub struct Cancel(Arc<AtomicBool>);
+
+impl Cancel {
+    /// Asks to stop. What was delivered until then stays.
+    pub fn cancel(&self) {
+        self.0.store(true, Ordering::Relaxed);
+    }
+
+    /// Whether it was asked for.
+    pub fn is_cancelled(&self) -> bool {
+        self.0.load(Ordering::Relaxed)
+    }
+}
+
+/// What is told of progress: points delivered so far, those of an earlier run included.
+type Progress<'a> = &'a (dyn Fn(u64) + Sync);
+
+/// How a plan is run. The default is all cores, uncancelled, silent.
+#[derive(Clone, Default)]
+pub struct Control<'a> {
+    /// How many threads, or one for each core. The results are the same.
+    pub threads: Option<usize>,
+    /// Looked at a few thousand points apart.
+    pub cancel: Cancel,
+    /// Called after each chunk, on the calling thread.
+    pub progress: Option<Progress<'a>>,
+}
+
+/// What a run came to.
+#[derive(Clone, Debug)]
+pub struct Report {
+    /// The points, and how many have no value.
+    pub counts: Counts,
+    /// The results of the reductions, in the order in which they were asked for.
+    pub reduced: Vec<Reduced>,
+}
+
+/// Why a run ended early.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum Stopped<E> {
+    /// The scan itself.
+    #[error(transparent)]
+    Scan(#[from] ScanError),
+    /// The sink.
+    #[error("{0}")]
+    Sink(E),
+}
+
+/// A state of reductions from which a run can go on: the chunks before `chunk` are in it.
+pub struct Saved<'a> {
+    /// The next chunk.
+    pub chunk: u64,
+    /// The counts of those before.
+    pub counts: &'a Counts,
+    /// What was kept of them.
+    pub reductions: &'a Reductions<'a>,
+}
+
+impl Plan {
+    /// Runs the reductions; memory does not grow with the number of points.
+    ///
+    /// # Errors
+    /// Where it was cancelled, or threads cannot be started.
+    pub fn reduce(&self, control: &Control<'_>) -> Result<Report, ScanError> {
+        self.reduce_from(0, Counts::none(self.quantities.len()), &[], control, |_| {})
+    }
+
+    /// Runs the reductions from the chunk number `chunk` on, with the counts and the state that
+    /// [`Reductions::to_bytes`] gave after the chunks before it (no bytes: no chunks). `save` is
+    /// called after each chunk, in order, and may keep what it is given.
+    ///
+    /// # Errors
+    /// As [`Plan::reduce`], and where the state does not belong to this plan.
+    pub fn reduce_from(
+        &self,
+        chunk: u64,
+        mut counts: Counts,
+        state: &[u8],
+        control: &Control<'_>,
+        mut save: impl FnMut(&Saved<'_>),
+    ) -> Result<Report, ScanError> {
+        let mut reductions = if chunk == 0 {
+            Reductions::of_all(self)
+        } else {
+            Reductions::from_bytes(self, state)?
+        };
+        let work = |number, stop: &dyn Fn() -> bool| {
+            let mut part = Reductions::of_chunk(self, number);
+            let counts = chunk::evaluate_blocks(self, number, stop, |block| part.take(block))?;
+            Some((counts, part))
+        };
+        let all = chunk..self.chunk_count();
+        let outcome = self.ordered(all, control, work, |number, (part_counts, part)| {
+            counts.add(&part_counts);
+            reductions.merge(&part);
+            if let Some(progress) = control.progress {
+                progress(counts.points);
+            }
+            save(&Saved {
+                chunk: number + 1,
+                counts: &counts,
+                reductions: &reductions,
+            });
+            Ok::<_, ScanError>(())
+        });
+        match outcome {
+            Ok(()) => Ok(Report {
+                counts,
+                reduced: reductions.finish(),
+            }),
+            Err(Stopped::Scan(error) | Stopped::Sink(error)) => Err(error),
+        }
+    }
+
+    /// Runs the scan and gives every chunk to a sink, in order; chunks that the sink has already are
+    /// not computed.
+    ///
+    /// # Errors
+    /// The sink's errors, and as [`Plan::reduce`].
+    pub fn write_to<S: Sink>(
+        &self,
+        sink: &S,
+        control: &Control<'_>,
+    ) -> Result<Counts, Stopped<S::Error>> {
+        let mut counts = Counts::none(self.quantities.len());
+        let work = |number, stop: &dyn Fn() -> bool| {
+            if let Some(counts) = sink.finished(number) {
+                return Some(Ok((counts, None)));
+            }
+            let chunk = chunk::evaluate(self, number, stop, |_| {})?;
+            let encoded = sink.encode(&chunk);
+            Some(encoded.map(|encoded| (chunk.counts().clone(), Some(encoded))))
+        };
+        self.ordered(0..self.chunk_count(), control, work, |number, outcome| {
+            let (part, encoded) = outcome?;
+            if let Some(encoded) = encoded {
+                sink.take(number, encoded)?;
+            }
+            counts.add(&part);
+            if let Some(progress) = control.progress {
+                progress(counts.points);
+            }
+            Ok(())
+        })?;
+        Ok(counts)
+    }
+
+    /// The chunks, one after the other; as many as there are threads are computed together.
+    pub fn chunks(&self) -> Chunks<'_> {
+        Chunks {
+            plan: self,
+            next: 0,
+            ready: VecDeque::new(),
+        }
+    }
+
+    /// Works on the chunks of a range on all threads and delivers what comes of them in order.
+    fn ordered<T: Send, E>(
+        &self,
+        mut numbers: std::ops::Range<u64>,
+        control: &Control<'_>,
+        work: impl Fn(u64, &dyn Fn() -> bool) -> Option<T> + Sync,
+        mut deliver: impl FnMut(u64, T) -> Result<(), E>,
+    ) -> Result<(), Stopped<E>> {
+        let pool = pool(control.threads)?;
+        // Each thread has one chunk at work and one that waits for its turn.
+        let in_flight = 2 * pool.current_num_threads();
+        let failed = AtomicBool::new(false);
+        let stop = || failed.load(Ordering::Relaxed) || control.cancel.is_cancelled();
+        pool.in_place_scope(|scope| {
+            let (sender, receiver) = mpsc::channel();
+            let mut outstanding = VecDeque::new();
+            let mut done = BTreeMap::new();
+            loop {
+                while outstanding.len() < in_flight
+                    && let Some(number) = numbers.next()
+                {
+                    outstanding.push_back(number);
+                    let (sender, work, stop) = (sender.clone(), &work, &stop);
+                    scope.spawn(move |_| {
+                        let outcome = catch_unwind(AssertUnwindSafe(|| work(number, stop)));
+                        // Nobody listens any more after a failure.
+                        let _ = sender.send((number, outcome));
+                    });
+                }
+                let Some(number) = outstanding.pop_front() else {
+                    return Ok(());
+                };
+                while !done.contains_key(&number)
+                    && let Ok((number, outcome)) = receiver.recv()
+                {
+                    done.insert(number, outcome);
+                }
+                let outcome = match done.remove(&number) {
+                    Some(Ok(Some(outcome))) if !control.cancel.is_cancelled() => outcome,
+                    Some(Err(panic)) => {
+                        failed.store(true, Ordering::Relaxed);
+                        resume_unwind(panic)
+                    }
+                    _ => {
+                        return Err(Stopped::Scan(ScanError::Cancelled {
+                            chunks: number,
+                            all: self.chunk_count(),
+                        }));
+                    }
+                };
+                if let Err(error) = deliver(number, outcome) {
+                    failed.store(true, Ordering::Relaxed);
+                    return Err(Stopped::Sink(error));
+                }
+            }
+        })
+    }
+}
+
+fn pool(threads: Option<usize>) -> Result<ThreadPool, ScanError> {
+    ThreadPoolBuilder::new()
+        .num_threads(threads.unwrap_or(0))
+        .build()
+        .map_err(|error| ScanError::Threads {
+            reason: error.to_string(),
+        })
+}
+
+/// Iterator over the chunks of a plan; see [`Plan::chunks`].
+pub struct Chunks<'a> {
+    plan: &'a Plan,
+    next: u64,
+    ready: VecDeque<Chunk<'a>>,
+}
+
+impl<'a> Iterator for Chunks<'a> {
+    type Item = Chunk<'a>;
+
+    fn next(&mut self) -> Option<Chunk<'a>> {
+        use rayon::prelude::*;
+        if self.ready.is_empty() {
+            let together = rayon::current_num_threads() as u64;
+            let end = self.plan.chunk_count().min(self.next + together);
+            let numbers = self.next..end;
+            self.next = end;
+            let chunks: Vec<_> = numbers
+                .into_par_iter()
+                .filter_map(|number| chunk::evaluate(self.plan, number, &|| false, |_| {}))
+                .collect();
+            self.ready.extend(chunks);
+        }
+        self.ready.pop_front()
+    }
+}
