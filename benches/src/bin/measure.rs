@@ -21,6 +21,7 @@ use rotor_benches::inputs;
 use rotor_core::equations::{
     lateral_integral, opening_integral, sliding_integral, tearing_integral,
 };
+use rotor_core::rotor::INPUTS;
 
 fn main() -> ExitCode {
     let sizes: Vec<usize> = std::env::args()
@@ -89,6 +90,14 @@ fn write(file: &Path, columns: &[Vec<f64>]) -> std::io::Result<()> {
 /// The dimensionless columns, and for both grids the depths, the four integrals of the crack at each, and the angles.
 fn write_inputs(folder: &Path, sizes: Sizes) -> std::io::Result<()> {
     fs::create_dir_all(folder)?;
+    let rotor: serde_json::Map<String, serde_json::Value> = INPUTS
+        .iter()
+        .map(|input| (input.name.to_owned(), (input.get)(&inputs::ROTOR).into()))
+        .collect();
+    fs::write(
+        folder.join("rotor.json"),
+        serde_json::Value::Object(rotor).to_string(),
+    )?;
     write(
         &folder.join("columns.f64"),
         &inputs::columns(inputs::STREAM),
