@@ -7,11 +7,13 @@
 //! those that lose no digits ([`rounding`]).
 
 pub mod circuit;
+pub mod coefficients;
 pub mod extract;
 pub mod fingerprint;
 pub mod homogeneous;
 pub mod identities;
 pub mod lower;
+pub mod quotients;
 pub mod rounding;
 
 use crate::factor::circuit::Circuit;

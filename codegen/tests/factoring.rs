@@ -122,6 +122,34 @@ fn equal_multiples_are_gathered() {
     assert_eq!(counts_after(circuit, vec![root], Step::Multiples), (2, 1));
 }
 
+#[test]
+fn a_coefficient_is_shared_like_a_factor() {
+    // 2·x0·x1, −2·x0·x1 and 2·x0·x2: 2·x0 once, a sign for nothing.
+    let (mut circuit, x) = circuit(3);
+    let products = [
+        product(&mut circuit, &[x[0], x[1]]),
+        product(&mut circuit, &[x[0], x[2]]),
+    ];
+    circuit.outputs = vec![
+        sum(&mut circuit, &[(products[0], 2)]),
+        sum(&mut circuit, &[(products[0], -2)]),
+        sum(&mut circuit, &[(products[1], 2)]),
+    ];
+    extract(&mut circuit, &[Step::Coefficients, Step::Products]);
+    assert_eq!((circuit.cost().add, circuit.cost().mul), (0, 3));
+}
+
+#[test]
+fn a_product_that_is_needed_alone_is_one_factor_of_its_multiple() {
+    let (mut circuit, x) = circuit(2);
+    let both = product(&mut circuit, &[x[0], x[1]]);
+    let multiple = sum(&mut circuit, &[(both, 2)]);
+    assert_eq!(
+        counts_after(circuit, vec![both, multiple], Step::Coefficients),
+        (0, 2)
+    );
+}
+
 /// The operations of a formula's value.
 fn cost(formula: &str) -> Cost {
     let source = format!("mod m {{ fn f(x: f64, y: f64, a: f64, b: f64) -> {formula} }}");
@@ -145,6 +173,14 @@ fn divisions_are_shared() {
         cost("(f64, f64) { (x / (a * b * (a + b)), y / (a * b * (a + b))) }").div,
         1
     );
+}
+
+#[test]
+fn a_quotient_is_made_from_another_one() {
+    let one = |cost: Cost| (cost.div, cost.mul);
+    assert_eq!(one(cost("(f64, f64) { (x / a, x / (a * b)) }")), (2, 0));
+    let chain = "(f64, f64) { let q = x.sqrt() / a.sin(); (q, q / b.sin()) }";
+    assert_eq!(one(cost(chain)), (2, 0));
 }
 
 #[test]

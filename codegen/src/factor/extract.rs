@@ -7,6 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use num_traits::{One, Signed, Zero};
 
 use super::circuit::{Circuit, Net, Operation};
+use super::{coefficients, quotients};
 use crate::graph::Rational;
 
 /// One kind of extraction.
@@ -20,11 +21,13 @@ pub enum Step {
     Sums,
     /// `2a + 2b + c` becomes `2(a + b) + c`.
     Multiples,
+    /// `2·(a·b)` becomes the product of 2, a and b, so that `2·a` can be shared.
+    Coefficients,
 }
 
 /// The orders that are tried.
-pub const ORDERS: [&[Step]; 6] = {
-    use Step::{Factors, Multiples, Products, Sums};
+pub const ORDERS: [&[Step]; 10] = {
+    use Step::{Coefficients, Factors, Multiples, Products, Sums};
     [
         &[Factors, Sums, Products, Multiples],
         &[Sums, Factors, Products, Sums, Multiples],
@@ -32,6 +35,10 @@ pub const ORDERS: [&[Step]; 6] = {
         &[Products, Sums, Factors, Sums, Multiples],
         &[Sums, Products, Factors, Products, Multiples],
         &[Factors, Products, Sums, Multiples],
+        &[Products, Sums, Products, Multiples],
+        &[Factors, Sums, Coefficients, Products, Multiples],
+        &[Sums, Factors, Coefficients, Products, Sums, Multiples],
+        &[Sums, Coefficients, Products, Sums, Multiples],
     ]
 };
 
@@ -43,12 +50,14 @@ pub fn extract(circuit: &mut Circuit, steps: &[Step]) {
             Step::Products => share_products(circuit),
             Step::Sums => share_sums(circuit),
             Step::Multiples => gather_multiples(circuit),
+            Step::Coefficients => coefficients::open(circuit),
         }
         circuit.tidy();
     }
     divide_by_lone_divisors(circuit);
     share_multiples(circuit);
     circuit.tidy();
+    quotients::share(circuit);
 }
 
 /// `a·(1/b)` where nothing else uses `1/b` becomes `a/b`, and `a·(1/b)·(1/c)` becomes `a/(b·c)`.
