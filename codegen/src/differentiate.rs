@@ -1,4 +1,5 @@
-//! Partial derivatives by the reverse mode: one sweep from a function to all that it is derived by.
+//! Partial derivatives by the reverse mode: one sweep from a function to all that it is derived by; and by the forward
+//! mode, for formulas that come out shorter that way.
 //!
 //! Each node's rule is written over its own value, as in $(\sqrt u)' = u'/(2\sqrt u)$ or
 //! $(u/v)' = (u' - (u/v)\,v')/v$, so that a derivative is finite wherever the function and its parts are.
@@ -39,6 +40,33 @@ pub fn gradient(graph: &mut Graph, function: ExprId, by: &[SymbolId]) -> Vec<Exp
     by.iter()
         .map(|symbol| of_symbols.get(symbol).copied().unwrap_or(zero))
         .collect()
+}
+
+/// The same in the forward mode: one sweep for each symbol. It is written over other parts than the reverse mode's: over
+/// the derivatives of what the function is made of, which several functions of one formula may share.
+pub fn gradient_forward(graph: &mut Graph, function: ExprId, by: &[SymbolId]) -> Vec<ExprId> {
+    let order = graph.reachable(&[function]);
+    let zero = graph.integer(0);
+    let mut partials = Vec::with_capacity(by.len());
+    for symbol in by {
+        let depends = graph.depends_on(&BTreeSet::from([*symbol]));
+        let mut tangents: BTreeMap<ExprId, ExprId> = BTreeMap::new();
+        for id in order.iter().copied().filter(|id| depends[id.index()]) {
+            let tangent = if let Node::Symbol(_) = graph.node(id) {
+                graph.one()
+            } else {
+                let mut terms = Vec::new();
+                for (operand, slope, coefficient) in slopes(graph, id, &depends) {
+                    let inner = tangents.get(&operand).copied().unwrap_or(zero);
+                    terms.push((graph.multiply(inner, slope), coefficient));
+                }
+                graph.sum(terms)
+            };
+            tangents.insert(id, tangent);
+        }
+        partials.push(tangents.get(&function).copied().unwrap_or(zero));
+    }
+    partials
 }
 
 /// The second partials, by rows; the matrix is symmetric by construction.

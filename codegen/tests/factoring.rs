@@ -150,6 +150,46 @@ fn a_product_that_is_needed_alone_is_one_factor_of_its_multiple() {
     );
 }
 
+#[test]
+fn a_power_of_two_is_given_to_the_terms_of_a_sum() {
+    // 2(x0 + x1) and 2·x0·x2: with 2·x0 once.
+    let (mut circuit, x) = circuit(3);
+    let inner = sum(&mut circuit, &[(x[0], 1), (x[1], 1)]);
+    let both = product(&mut circuit, &[x[0], x[2]]);
+    circuit.outputs = vec![
+        sum(&mut circuit, &[(inner, 2)]),
+        sum(&mut circuit, &[(both, 2)]),
+    ];
+    let mut thirds = circuit.clone();
+    extract(&mut circuit, &[Step::Distribute]);
+    let Operation::Sum(terms) = circuit.operation(circuit.outputs[0]) else {
+        panic!("no sum")
+    };
+    assert!(
+        terms.len() == 2
+            && terms
+                .iter()
+                .all(|(_, coefficient)| *coefficient == whole(2))
+    );
+    // Three times a sum rounds otherwise than the sum of its terms' triples.
+    let inner = sum(&mut thirds, &[(x[0], 1), (x[1], 1)]);
+    thirds.outputs = vec![sum(&mut thirds, &[(inner, 3)])];
+    extract(&mut thirds, &[Step::Distribute]);
+    assert_eq!(thirds.cost().mul, 1);
+}
+
+#[test]
+fn partials_of_several_values_share_what_the_forward_mode_finds() {
+    // A vector turned in the plane: its derivative by the angle is made of the vector itself.
+    let module = support::module(
+        "mod m { fn f(a: f64, x: f64, y: f64) -> (f64, f64) {
+            (x * a.cos() + y * a.sin(), y * a.cos() - x * a.sin())
+        } }",
+    );
+    let cost = support::circuit(&support::formula(&module, "f"), Form::Gradient, &[]).cost();
+    assert_eq!((cost.add, cost.mul, cost.call), (2, 4, 2));
+}
+
 /// The operations of a formula's value.
 fn cost(formula: &str) -> Cost {
     let source = format!("mod m {{ fn f(x: f64, y: f64, a: f64, b: f64) -> {formula} }}");

@@ -200,6 +200,11 @@ impl Circuit {
             .map(|output| (*output, false))
             .collect();
         let uses = self.live_uses();
+        // Inputs come first, in their author's order, and so do they in sums: b − a − z with nearly equal a and b and a small
+        // z is not to become b − z − a.
+        for (net, symbol) in self.live_symbols(&uses) {
+            images[net.index()] = Some(tidied.push(Operation::Symbol(symbol)));
+        }
         while let Some((net, expanded)) = stack.pop() {
             if images[net.index()].is_some() {
                 continue;
@@ -226,6 +231,20 @@ impl Circuit {
             .filter_map(|output| images[output.index()])
             .collect();
         *self = tidied;
+    }
+
+    /// The inputs that the results need, in their order.
+    fn live_symbols(&self, uses: &[usize]) -> Vec<(Net, SymbolId)> {
+        let mut symbols: Vec<(Net, SymbolId)> = self
+            .nets()
+            .filter(|net| uses[net.index()] > 0)
+            .filter_map(|net| match self.operation(net) {
+                Operation::Symbol(symbol) => Some((net, *symbol)),
+                _ => None,
+            })
+            .collect();
+        symbols.sort_by_key(|(_, symbol)| *symbol);
+        symbols
     }
 
     /// The uses by what the results need.

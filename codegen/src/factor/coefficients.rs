@@ -32,6 +32,44 @@ pub fn open(circuit: &mut Circuit) {
     }
 }
 
+/// `2·(a + b)` becomes `2·a + 2·b` where the sum is needed for nothing but its multiples. It is the opposite of
+/// [`super::extract::Step::Multiples`], and pays where `2·a` is computed anyway.
+///
+/// Only for powers of two: then it changes no rounding.
+pub fn distribute(circuit: &mut Circuit) {
+    let multiples = multiples_of(circuit);
+    let uses = circuit.uses();
+    for net in circuit.nets() {
+        let Operation::Sum(terms) = circuit.operation(net).clone() else {
+            continue;
+        };
+        let mut distributed = Vec::new();
+        for (operand, coefficient) in terms {
+            let whole = multiples[operand.index()] == uses[operand.index()];
+            match circuit.operation(operand) {
+                Operation::Sum(inner) if whole && is_power_of_two(&coefficient) => {
+                    let scaled = inner
+                        .iter()
+                        .map(|(inner, size)| (*inner, size * &coefficient));
+                    distributed.extend(scaled);
+                }
+                _ => distributed.push((operand, coefficient)),
+            }
+        }
+        let sum = circuit.sum(distributed);
+        let operation = match circuit.operation(sum) {
+            Operation::Sum(terms) => Operation::Sum(terms.clone()),
+            _ => Operation::Sum(vec![(sum, Rational::one())]),
+        };
+        circuit.replace(net, operation);
+    }
+}
+
+fn is_power_of_two(value: &Rational) -> bool {
+    let is_power = |number: &num_bigint::BigInt| number.magnitude().count_ones() == 1;
+    !value.abs().is_one() && is_power(value.numer()) && is_power(value.denom())
+}
+
 fn is_multiple(circuit: &Circuit, operand: Net, coefficient: &Rational) -> bool {
     !coefficient.abs().is_one() && circuit.as_number(operand).is_none()
 }

@@ -23,11 +23,13 @@ pub enum Step {
     Multiples,
     /// `2·(a·b)` becomes the product of 2, a and b, so that `2·a` can be shared.
     Coefficients,
+    /// `2·(a + b)` becomes `2·a + 2·b`, so that `2·a` can be shared.
+    Distribute,
 }
 
 /// The orders that are tried.
-pub const ORDERS: [&[Step]; 10] = {
-    use Step::{Coefficients, Factors, Multiples, Products, Sums};
+pub const ORDERS: [&[Step]; 11] = {
+    use Step::{Coefficients, Distribute, Factors, Multiples, Products, Sums};
     [
         &[Factors, Sums, Products, Multiples],
         &[Sums, Factors, Products, Sums, Multiples],
@@ -35,10 +37,11 @@ pub const ORDERS: [&[Step]; 10] = {
         &[Products, Sums, Factors, Sums, Multiples],
         &[Sums, Products, Factors, Products, Multiples],
         &[Factors, Products, Sums, Multiples],
-        &[Products, Sums, Products, Multiples],
         &[Factors, Sums, Coefficients, Products, Multiples],
         &[Sums, Factors, Coefficients, Products, Sums, Multiples],
-        &[Sums, Coefficients, Products, Sums, Multiples],
+        &[Coefficients, Products, Sums],
+        &[Distribute, Coefficients, Products, Sums],
+        &[Distribute, Sums, Coefficients, Products],
     ]
 };
 
@@ -51,6 +54,7 @@ pub fn extract(circuit: &mut Circuit, steps: &[Step]) {
             Step::Sums => share_sums(circuit),
             Step::Multiples => gather_multiples(circuit),
             Step::Coefficients => coefficients::open(circuit),
+            Step::Distribute => coefficients::distribute(circuit),
         }
         circuit.tidy();
     }
