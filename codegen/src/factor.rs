@@ -100,7 +100,7 @@ fn unified(graph: &Graph, all: &[ExprId]) -> (Graph, Vec<ExprId>) {
 
 /// The largest graph of which the forward mode's partials are tried too: it writes each partial on its own, which takes
 /// long to sort out, and for large formulas the reverse mode always comes out shorter.
-const SMALL: usize = 120;
+const SMALL: usize = 300;
 
 /// The same outputs with their gradients by the forward mode.
 fn forward(graph: &Graph, outputs: &Outputs) -> Option<(Graph, Vec<ExprId>)> {

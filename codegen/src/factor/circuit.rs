@@ -190,6 +190,17 @@ impl Circuit {
 
     /// Drops what no result needs, brings operands before their users, and makes equal operations one.
     pub fn tidy(&mut self) {
+        self.rebuild(&[]);
+    }
+
+    /// The same with the inputs first, in their author's order, and so in sums too: b − a − z with nearly equal a and b and
+    /// a small z is not to become b − z − a.
+    pub fn tidy_by_inputs(&mut self) {
+        let symbols = self.live_symbols();
+        self.rebuild(&symbols);
+    }
+
+    fn rebuild(&mut self, first: &[(Net, SymbolId)]) {
         let mut tidied = Self::default();
         let mut images: Vec<Option<Net>> = vec![None; self.operations.len()];
         // Operands may lie behind their users here, so that this is a depth-first walk with a stack of its own.
@@ -200,10 +211,8 @@ impl Circuit {
             .map(|output| (*output, false))
             .collect();
         let uses = self.live_uses();
-        // Inputs come first, in their author's order, and so do they in sums: b − a − z with nearly equal a and b and a small
-        // z is not to become b − z − a.
-        for (net, symbol) in self.live_symbols(&uses) {
-            images[net.index()] = Some(tidied.push(Operation::Symbol(symbol)));
+        for (net, symbol) in first {
+            images[net.index()] = Some(tidied.push(Operation::Symbol(*symbol)));
         }
         while let Some((net, expanded)) = stack.pop() {
             if images[net.index()].is_some() {
@@ -234,7 +243,8 @@ impl Circuit {
     }
 
     /// The inputs that the results need, in their order.
-    fn live_symbols(&self, uses: &[usize]) -> Vec<(Net, SymbolId)> {
+    fn live_symbols(&self) -> Vec<(Net, SymbolId)> {
+        let uses = self.live_uses();
         let mut symbols: Vec<(Net, SymbolId)> = self
             .nets()
             .filter(|net| uses[net.index()] > 0)

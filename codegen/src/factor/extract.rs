@@ -62,6 +62,7 @@ pub fn extract(circuit: &mut Circuit, steps: &[Step]) {
     share_multiples(circuit);
     circuit.tidy();
     quotients::share(circuit);
+    circuit.tidy_by_inputs();
 }
 
 /// `a·(1/b)` where nothing else uses `1/b` becomes `a/b`, and `a·(1/b)·(1/c)` becomes `a/(b·c)`.

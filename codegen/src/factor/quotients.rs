@@ -39,7 +39,6 @@ pub fn share(circuit: &mut Circuit) {
             circuit.replace(net, Operation::Quotient(part, last));
         }
     }
-    circuit.tidy();
 }
 
 fn add(factors: &mut Factors, more: &Factors, times: i64) {
