@@ -82,9 +82,10 @@ def markdown(about):
         "each held against this library's results to 1e-12 first. One thread unless the table says otherwise.",
         "",
         f"Machine: {machine['processor']} ({machine['family']}; {machine['instructions']}), {machine['cpus']} CPUs,",
-        f"{machine['memory_gib']} GiB, {machine['system']}; load before the run {machine['load_at_start']:.1f}.",
+        f"{machine['memory_gib']} GiB, {machine['system']}; load before the run {machine['load_at_start']:.1f}, which other work on the",
+        "machine may have changed in its course: see the spreads.",
         "",
-        "Versions: " + ", ".join(f"{name} {version}" for name, version in versions.items()) + ".",
+        "Versions: " + ", ".join(f"{name} {version.removeprefix(name + ' ')}" for name, version in versions.items()) + ".",
         "",
         f"Grid of {sizes[0]} × {sizes[0]}; maximum over {sizes[2]} angles for {sizes[1]} depths.",
         "",
@@ -98,7 +99,8 @@ def markdown(about):
         lines.append("")
     lines += ["## What is asked for", "", "| ratio | asked | measured |", "|---|---|---|"]
     lines += [f"| {name} | {asked} | {found:.2f} |" for name, asked, found in bars(about)]
-    lines += ["", "Rate: points over the median of the runs. Spread: half the distance of the quartiles over the median.", ""]
+    lines += ["", "Rate: points over the median of the runs. Spread: half the distance of the quartiles over the median. JAX's results stay",
+              "in its own memory; every other tool writes where this library writes.", ""]
     return "\n".join(lines)
 
 
@@ -107,14 +109,20 @@ def chart(about, files):
 
     matplotlib.use("Agg")
     matplotlib.rcParams["svg.hashsalt"] = "rotor"
-    from matplotlib import pyplot
+    from matplotlib import pyplot, ticker
 
     figure, axes = pyplot.subplots(len(TITLES), 1, figsize=(8, 11), layout="constrained")
     for axis, (case, title) in zip(axes, TITLES.items()):
         rows = table(about, case)[::-1]
         colours = ["#0072b2" if row[0] == NAMES["rotor"] else "#999999" for row in rows]
-        axis.barh([row[0] for row in rows], [row[1] / 1e6 for row in rows], color=colours)
+        bars = axis.barh([row[0] for row in rows], [row[1] / 1e6 for row in rows], color=colours)
+        axis.bar_label(bars, fmt="%.3g", padding=3, fontsize=8)
         axis.set_xscale("log")
+        # All bars start at a million points per second and end before the largest of any chart.
+        axis.set_xlim(1.0, 3000.0)
+        axis.xaxis.set_major_formatter("{x:g}")
+        axis.xaxis.set_minor_formatter(ticker.NullFormatter())
+        axis.spines[["top", "right"]].set_visible(False)
         axis.set_title(title, fontsize=9, loc="left")
         axis.tick_params(labelsize=8)
     axes[-1].set_xlabel("million points per second")
