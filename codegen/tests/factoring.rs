@@ -179,15 +179,18 @@ fn a_power_of_two_is_given_to_the_terms_of_a_sum() {
 }
 
 #[test]
-fn partials_of_several_values_share_what_the_forward_mode_finds() {
-    // A vector turned in the plane: its derivative by the angle is made of the vector itself.
+fn partials_by_the_forward_mode_share_what_the_values_are_made_of() {
+    // A point turned, moved and turned again: the derivatives of what is turned first are what is turned, without the move.
     let module = support::module(
-        "mod m { fn f(a: f64, x: f64, y: f64) -> (f64, f64) {
-            (x * a.cos() + y * a.sin(), y * a.cos() - x * a.sin())
+        "mod m { fn f(a: f64, b: f64, x: f64, y: f64, z: [f64; 2]) -> [f64; 2] {
+            let u = a.cos() * x + a.sin() * y - z[0];
+            let v = a.cos() * y - a.sin() * x - z[1];
+            [b.cos() * u + b.sin() * v, b.cos() * v - b.sin() * u]
         } }",
     );
     let cost = support::circuit(&support::formula(&module, "f"), Form::Gradient, &[]).cost();
-    assert_eq!((cost.add, cost.mul, cost.call), (2, 4, 2));
+    // The reverse mode writes them over products of the cosines and sines, which nothing else needs.
+    assert_eq!((cost.add, cost.mul, cost.call), (10, 16, 4));
 }
 
 /// The operations of a formula's value.

@@ -29,10 +29,10 @@ phi::gradient: 52 add, 78 mul, 0 div, 0 sqrt, 1 call
 phi::hessian: 131 add, 181 mul, 0 div, 0 sqrt, 1 call
 phi_on_sir::value: 19 add, 30 mul, 0 div, 0 sqrt, 1 call
 phi_on_sir::gradient: 32 add, 52 mul, 0 div, 0 sqrt, 1 call
-sir_width::value: 20 add, 26 mul, 3 div, 2 sqrt, 2 call
-sir_width::gradient: 52 add, 97 mul, 7 div, 3 sqrt, 2 call
-cir_width::value: 38 add, 63 mul, 2 div, 4 sqrt, 2 call
-cir_width::gradient: 113 add, 229 mul, 7 div, 4 sqrt, 2 call
+sir_width::value: 21 add, 24 mul, 3 div, 2 sqrt, 2 call
+sir_width::gradient: 52 add, 89 mul, 7 div, 3 sqrt, 2 call
+cir_width::value: 38 add, 61 mul, 2 div, 4 sqrt, 2 call
+cir_width::gradient: 113 add, 212 mul, 7 div, 4 sqrt, 2 call
 "
     );
 }
