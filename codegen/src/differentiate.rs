@@ -1,4 +1,5 @@
-//! Partial derivatives by the reverse mode: one sweep from a function to all that it is derived by.
+//! Partial derivatives by the reverse mode: one sweep from a function to all that it is derived by; and by the forward
+//! mode, for formulas that come out shorter that way.
 //!
 //! Each node's rule is written over its own value, as in $(\sqrt u)' = u'/(2\sqrt u)$ or
 //! $(u/v)' = (u' - (u/v)\,v')/v$, so that a derivative is finite wherever the function and its parts are.
@@ -114,6 +115,42 @@ fn choice(function: Function, operands: &[ExprId]) -> Option<([ExprId; 2], [Expr
         (Function::Select, [a, b, x, y]) => Some(([*a, *b], [*x, *y])),
         _ => None,
     }
+}
+
+/// The same in the forward mode: one sweep for each symbol. It is written over other parts than the reverse mode's: over
+/// the derivatives of what the function is made of, which several functions of one formula may share.
+pub fn gradient_forward(graph: &mut Graph, function: ExprId, by: &[SymbolId]) -> Vec<ExprId> {
+    let order = graph.reachable(&[function]);
+    let zero = graph.integer(0);
+    let mut partials = Vec::with_capacity(by.len());
+    for symbol in by {
+        let depends = graph.depends_on(&BTreeSet::from([*symbol]));
+        let mut tangents: BTreeMap<ExprId, ExprId> = BTreeMap::new();
+        for id in order.iter().copied().filter(|id| depends[id.index()]) {
+            let tangent = if let Node::Symbol(_) = graph.node(id) {
+                graph.one()
+            } else if let Node::Apply(function, operands) = graph.node(id).clone()
+                && let Some(([a, b], alternatives)) = choice(function, &operands)
+            {
+                let [x, y] = alternatives.map(|x| tangents.get(&x).copied().unwrap_or(zero));
+                if x == y {
+                    x
+                } else {
+                    graph.apply(Function::Select, vec![a, b, x, y])
+                }
+            } else {
+                let mut terms = Vec::new();
+                for (operand, slope, coefficient) in slopes(graph, id, &depends) {
+                    let inner = tangents.get(&operand).copied().unwrap_or(zero);
+                    terms.push((graph.multiply(inner, slope), coefficient));
+                }
+                graph.sum(terms)
+            };
+            tangents.insert(id, tangent);
+        }
+        partials.push(tangents.get(&function).copied().unwrap_or(zero));
+    }
+    partials
 }
 
 /// The second partials, by rows; the matrix is symmetric by construction.

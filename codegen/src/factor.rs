@@ -7,19 +7,21 @@
 //! those that lose no digits ([`rounding`]).
 
 pub mod circuit;
+pub mod coefficients;
 pub mod constants;
 pub mod extract;
 pub mod fingerprint;
 pub mod homogeneous;
 pub mod identities;
 pub mod lower;
+pub mod quotients;
 pub mod rounding;
 
 use crate::factor::circuit::Circuit;
 use crate::factor::extract::ORDERS;
 use crate::factor::rounding::Reference;
 use crate::graph::{ExprId, Graph, SymbolId};
-use crate::rewrite;
+use crate::{differentiate, rewrite};
 
 /// The numbers that one generated function gives.
 #[derive(Clone, Debug, Default)]
@@ -70,18 +72,19 @@ pub fn minimise(graph: &Graph, outputs: &Outputs) -> Circuit {
     let all = outputs.all();
     let tables = graph;
     let reference = Reference::of(graph, &all);
-    let merged = identities::merge(graph, &all);
+    let mut merged = vec![unified(graph, &all)];
+    merged.extend(forward(graph, outputs).map(|(graph, all)| unified(&graph, &all)));
     let as_written = rewrite::rewrite(graph, &all);
-    // What has become equal may cancel now.
-    let merged = rewrite::rewrite(&merged.0, &merged.1);
-    for (graph, roots) in [merged, as_written] {
+    for graphs in [merged, vec![as_written]] {
         let mut circuits = Vec::new();
-        for lowered in lowered_forms(graph, roots, outputs) {
-            circuits.extend(ORDERS.iter().map(|order| {
-                let mut circuit = lowered.clone();
-                extract::extract(&mut circuit, order);
-                circuit
-            }));
+        for (graph, roots) in graphs {
+            for lowered in lowered_forms(graph, roots, outputs) {
+                circuits.extend(ORDERS.iter().map(|order| {
+                    let mut circuit = lowered.clone();
+                    extract::extract(&mut circuit, order);
+                    circuit
+                }));
+            }
         }
         circuits.sort_by_key(|circuit| circuit.cost().weight());
         let mut sound = circuits
@@ -97,6 +100,39 @@ pub fn minimise(graph: &Graph, outputs: &Outputs) -> Circuit {
         }
     }
     lower::lower(graph, &all)
+}
+
+/// Equal expressions as one.
+fn unified(graph: &Graph, all: &[ExprId]) -> (Graph, Vec<ExprId>) {
+    let merged = identities::merge(graph, all);
+    // What has become equal may cancel now.
+    rewrite::rewrite(&merged.0, &merged.1)
+}
+
+/// The largest graph of which the forward mode's partials are tried too: it writes each partial on its own, which takes
+/// long to sort out, and for large formulas the reverse mode always comes out shorter.
+const SMALL: usize = 300;
+
+/// The same outputs with their gradients by the forward mode.
+fn forward(graph: &Graph, outputs: &Outputs) -> Option<(Graph, Vec<ExprId>)> {
+    let all = outputs.all();
+    let wanted = !outputs.gradients.is_empty() && outputs.hessians.is_empty();
+    if !wanted || graph.reachable(&all).len() > SMALL {
+        return None;
+    }
+    let mut graph = graph.clone();
+    let mut forward = outputs.clone();
+    for (value, gradient) in outputs.values.iter().zip(&mut forward.gradients) {
+        let partials = differentiate::gradient_forward(&mut graph, *value, &outputs.by);
+        for (partial, reverse) in partials.iter().zip(gradient.iter()) {
+            if let Some(name) = graph.suggested_name(*reverse).map(ToOwned::to_owned) {
+                graph.suggest_name(*partial, &name);
+            }
+        }
+        *gradient = partials;
+    }
+    let all = forward.all();
+    Some((graph, all))
 }
 
 /// The outputs in every form that may turn out to be cheapest, each once.

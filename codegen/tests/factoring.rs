@@ -12,6 +12,7 @@ use codegen::cost::Cost;
 use codegen::differentiate;
 use codegen::emit::scalar::Form;
 use codegen::factor::circuit::{Circuit, Net, Operation};
+use codegen::factor::coefficients;
 use codegen::factor::extract::{Step, extract};
 use codegen::graph::{Function, Graph, Node, Rational, ratio, whole};
 use codegen::parse::literal::{constant, decimal};
@@ -122,6 +123,77 @@ fn equal_multiples_are_gathered() {
     assert_eq!(counts_after(circuit, vec![root], Step::Multiples), (2, 1));
 }
 
+#[test]
+fn a_coefficient_is_shared_like_a_factor() {
+    // 2·x0·x1, −2·x0·x1 and 2·x0·x2: 2·x0 once, a sign for nothing.
+    let (mut circuit, x) = circuit(3);
+    let products = [
+        product(&mut circuit, &[x[0], x[1]]),
+        product(&mut circuit, &[x[0], x[2]]),
+    ];
+    circuit.outputs = vec![
+        sum(&mut circuit, &[(products[0], 2)]),
+        sum(&mut circuit, &[(products[0], -2)]),
+        sum(&mut circuit, &[(products[1], 2)]),
+    ];
+    extract(&mut circuit, &[Step::Coefficients, Step::Products]);
+    assert_eq!((circuit.cost().add, circuit.cost().mul), (0, 3));
+}
+
+#[test]
+fn a_product_that_is_needed_alone_is_one_factor_of_its_multiple() {
+    let (mut circuit, x) = circuit(2);
+    let both = product(&mut circuit, &[x[0], x[1]]);
+    let multiple = sum(&mut circuit, &[(both, 2)]);
+    assert_eq!(
+        counts_after(circuit, vec![both, multiple], Step::Coefficients),
+        (0, 2)
+    );
+}
+
+#[test]
+fn a_power_of_two_is_given_to_the_terms_of_a_sum() {
+    // 2(x0 + x1) and 2·x0·x2: with 2·x0 once.
+    let (mut circuit, x) = circuit(3);
+    let inner = sum(&mut circuit, &[(x[0], 1), (x[1], 1)]);
+    let both = product(&mut circuit, &[x[0], x[2]]);
+    circuit.outputs = vec![
+        sum(&mut circuit, &[(inner, 2)]),
+        sum(&mut circuit, &[(both, 2)]),
+    ];
+    let mut thirds = circuit.clone();
+    coefficients::distribute(&mut circuit);
+    let Operation::Sum(terms) = circuit.operation(circuit.outputs[0]) else {
+        panic!("no sum")
+    };
+    assert!(
+        terms.len() == 2
+            && terms
+                .iter()
+                .all(|(_, coefficient)| *coefficient == whole(2))
+    );
+    // Three times a sum rounds otherwise than the sum of its terms' triples.
+    let inner = sum(&mut thirds, &[(x[0], 1), (x[1], 1)]);
+    thirds.outputs = vec![sum(&mut thirds, &[(inner, 3)])];
+    coefficients::distribute(&mut thirds);
+    assert_eq!(thirds.cost().mul, 1);
+}
+
+#[test]
+fn partials_by_the_forward_mode_share_what_the_values_are_made_of() {
+    // A point turned, moved and turned again: the derivatives of what is turned first are what is turned, without the move.
+    let module = support::module(
+        "mod m { fn f(a: f64, b: f64, x: f64, y: f64, z: [f64; 2]) -> [f64; 2] {
+            let u = a.cos() * x + a.sin() * y - z[0];
+            let v = a.cos() * y - a.sin() * x - z[1];
+            [b.cos() * u + b.sin() * v, b.cos() * v - b.sin() * u]
+        } }",
+    );
+    let cost = support::circuit(&support::formula(&module, "f"), Form::Gradient, &[]).cost();
+    // The reverse mode writes them over products of the cosines and sines, which nothing else needs.
+    assert_eq!((cost.add, cost.mul, cost.call), (10, 16, 4));
+}
+
 /// The operations of a formula's value.
 fn cost(formula: &str) -> Cost {
     let source = format!("mod m {{ fn f(x: f64, y: f64, a: f64, b: f64) -> {formula} }}");
@@ -145,6 +217,14 @@ fn divisions_are_shared() {
         cost("(f64, f64) { (x / (a * b * (a + b)), y / (a * b * (a + b))) }").div,
         1
     );
+}
+
+#[test]
+fn a_quotient_is_made_from_another_one() {
+    let one = |cost: Cost| (cost.div, cost.mul);
+    assert_eq!(one(cost("(f64, f64) { (x / a, x / (a * b)) }")), (2, 0));
+    let chain = "(f64, f64) { let q = x.sqrt() / a.sin(); (q, q / b.sin()) }";
+    assert_eq!(one(cost(chain)), (2, 0));
 }
 
 #[test]

@@ -9,6 +9,7 @@
 
 mod cargo;
 mod house;
+mod peers;
 mod pictures;
 mod readers;
 mod readme;
@@ -75,6 +76,9 @@ fn main() -> ExitCode {
         ["test"] => run(&root, &STEPS.iter().collect::<Vec<_>>()),
         ["pictures"] => pictures::refresh(&root),
         ["pictures", "--check"] => pictures::check(&root),
+        ["peers"] => peers::compare(&root),
+        ["peers", "--quick"] => peers::quick(&root),
+        ["peers", "--counts"] => peers::counts(&root),
         [] | ["help" | "--help" | "-h"] => {
             print!("{}", help());
             Ok(())
@@ -113,7 +117,7 @@ fn names() -> impl Iterator<Item = &'static str> {
     STEPS
         .iter()
         .map(|step| step.name)
-        .chain(["test", "pictures", "help"])
+        .chain(["test", "pictures", "peers", "help"])
 }
 
 fn help() -> String {
@@ -127,6 +131,10 @@ fn help() -> String {
     }
     text.push_str(
         "\ncargo xtask pictures  draws README.md's pictures anew with `rotor report`; with --check it only compares\n",
+    );
+    text.push_str(
+        "cargo xtask peers     times this library beside other tools and writes docs/performance.md; needs Python 3.11, gcc\n\
+         \x20                     and the network; --quick does it in small, --counts counts the tools' operations anew\n",
     );
     text
 }

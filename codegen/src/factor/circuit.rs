@@ -224,6 +224,17 @@ impl Circuit {
 
     /// Drops what no result needs, brings operands before their users, and makes equal operations one.
     pub fn tidy(&mut self) {
+        self.rebuild(&[]);
+    }
+
+    /// The same with the inputs first, in their author's order, and so in sums too: b − a − z with nearly equal a and b and
+    /// a small z is not to become b − z − a.
+    pub fn tidy_by_inputs(&mut self) {
+        let symbols = self.live_symbols();
+        self.rebuild(&symbols);
+    }
+
+    fn rebuild(&mut self, first: &[(Net, SymbolId)]) {
         let mut tidied = Self::default();
         let mut images: Vec<Option<Net>> = vec![None; self.operations.len()];
         // Operands may lie behind their users here, so that this is a depth-first walk with a stack of its own.
@@ -234,6 +245,9 @@ impl Circuit {
             .map(|output| (*output, false))
             .collect();
         let uses = self.live_uses();
+        for (net, symbol) in first {
+            images[net.index()] = Some(tidied.push(Operation::Symbol(*symbol)));
+        }
         while let Some((net, expanded)) = stack.pop() {
             if images[net.index()].is_some() {
                 continue;
@@ -286,6 +300,21 @@ impl Circuit {
             .map(|output| images[output.index()])
             .collect();
         swept
+    }
+
+    /// The inputs that the results need, in their order.
+    fn live_symbols(&self) -> Vec<(Net, SymbolId)> {
+        let uses = self.live_uses();
+        let mut symbols: Vec<(Net, SymbolId)> = self
+            .nets()
+            .filter(|net| uses[net.index()] > 0)
+            .filter_map(|net| match self.operation(net) {
+                Operation::Symbol(symbol) => Some((net, *symbol)),
+                _ => None,
+            })
+            .collect();
+        symbols.sort_by_key(|(_, symbol)| *symbol);
+        symbols
     }
 
     /// How often what the results need uses each operation; 0 for what they do not need.

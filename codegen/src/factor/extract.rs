@@ -7,6 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use num_traits::{One, Signed, Zero};
 
 use super::circuit::{Circuit, Net, Operation};
+use super::{coefficients, quotients};
 use crate::graph::Rational;
 
 /// One kind of extraction.
@@ -22,11 +23,15 @@ pub enum Step {
     Sums,
     /// `2a + 2b + c` becomes `2(a + b) + c`.
     Multiples,
+    /// `2·(a·b)` becomes the product of 2, a and b, so that `2·a` can be shared.
+    Coefficients,
+    /// `2·(a + b)` becomes `2·a + 2·b`, so that `2·a` can be shared.
+    Distribute,
 }
 
 /// The orders that are tried.
-pub const ORDERS: [&[Step]; 7] = {
-    use Step::{Factors, Multiples, Products, SharedFactors, Sums};
+pub const ORDERS: [&[Step]; 12] = {
+    use Step::{Coefficients, Distribute, Factors, Multiples, Products, SharedFactors, Sums};
     [
         &[Factors, Sums, Products, Multiples],
         &[Sums, Factors, Products, Sums, Multiples],
@@ -35,6 +40,11 @@ pub const ORDERS: [&[Step]; 7] = {
         &[Sums, Products, Factors, Products, Multiples],
         &[Factors, Products, Sums, Multiples],
         &[SharedFactors, Sums, Products, Multiples],
+        &[Factors, Sums, Coefficients, Products, Multiples],
+        &[Sums, Factors, Coefficients, Products, Sums, Multiples],
+        &[Coefficients, Products, Sums],
+        &[Distribute, Coefficients, Products, Sums],
+        &[Distribute, Sums, Coefficients, Products],
     ]
 };
 
@@ -47,6 +57,8 @@ pub fn extract(circuit: &mut Circuit, steps: &[Step]) {
             Step::Products => share_products(circuit),
             Step::Sums => share_sums(circuit),
             Step::Multiples => gather_multiples(circuit),
+            Step::Coefficients => coefficients::open(circuit),
+            Step::Distribute => coefficients::distribute(circuit),
         }
         circuit.tidy();
     }
@@ -56,6 +68,8 @@ pub fn extract(circuit: &mut Circuit, steps: &[Step]) {
     // A multiple of an inverse that has become its only user.
     divide_by_lone_divisors(circuit);
     circuit.tidy();
+    quotients::share(circuit);
+    circuit.tidy_by_inputs();
 }
 
 /// `a·(1/b)` where nothing else uses `1/b` becomes `a/b`, and `a·(1/b)·(1/c)` becomes `a/(b·c)`.

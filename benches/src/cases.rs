@@ -1,0 +1,424 @@
+//! What is timed: a function for each, by the names that the tables use.
+//!
+//! A case is prepared once and then run as often as it is timed. It leaves its results where [`Bench::results`] finds them,
+//! so that another tool's can be held against them.
+
+use std::thread;
+
+use rotor_core::equations::{Coefficients, cir_width, sir_width, widths_support_arm};
+use rotor_core::rotor::{NoCoefficients, Rotor, RotorParameters};
+
+use crate::inputs::{self, BLOCK, ROTOR, STREAM};
+
+/// A case that could not be prepared or run.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum CaseError {
+    /// A column is not as long as the results.
+    #[error("{0}")]
+    Columns(String),
+    /// A row's rotor has no coefficients.
+    #[error(transparent)]
+    Rotor(#[from] NoCoefficients),
+    /// A thread ended before its work was done.
+    #[error("a thread stopped")]
+    Thread,
+}
+
+/// What a case answers.
+pub type Outcome = Result<(), CaseError>;
+
+/// A kind of computation that is timed.
+#[derive(Clone, Copy, Debug)]
+pub struct Case {
+    /// Its name in the tables.
+    pub name: &'static str,
+    /// What it computes.
+    pub about: &'static str,
+    /// The points of one run.
+    pub points: fn(&Sizes) -> usize,
+    /// One run.
+    pub run: fn(&mut Bench) -> Outcome,
+}
+
+/// How often a block is repeated in one run, so that a run can be timed.
+pub const REPEATS: usize = 32;
+
+/// All cases.
+pub const CASES: [Case; 9] = [
+    Case {
+        name: "widths_block",
+        about: "both widths from the 8 dimensionless columns, blocks of 4096 points",
+        points: |_| BLOCK * REPEATS,
+        run: widths_block,
+    },
+    Case {
+        name: "widths_stream",
+        about: "both widths from the 8 dimensionless columns, 2^20 points from memory",
+        points: |_| STREAM,
+        run: widths_stream,
+    },
+    Case {
+        name: "widths_one_thread",
+        about: "the blocks of `widths_two_threads`, one after the other",
+        points: |_| 2 * BLOCK * REPEATS,
+        run: widths_one_thread,
+    },
+    Case {
+        name: "widths_two_threads",
+        about: "both widths, blocks of 4096 points, on two threads",
+        points: |_| 2 * BLOCK * REPEATS,
+        run: widths_two_threads,
+    },
+    Case {
+        name: "grid_sigma_phi",
+        about: "both widths over a grid of crack depth and angle of the paper's rotor",
+        points: |sizes| sizes.grid * sizes.grid,
+        run: grid_sigma_phi,
+    },
+    Case {
+        name: "grid_fill",
+        about: "the memory of the grid filled with a constant",
+        points: |sizes| sizes.grid * sizes.grid,
+        run: grid_fill,
+    },
+    Case {
+        name: "max_over_phi",
+        about: "the greatest widths over the angle for each crack depth",
+        points: |sizes| sizes.max_rows * sizes.max_angles,
+        run: max_over_phi,
+    },
+    Case {
+        name: "physical_values",
+        about: "both widths from the physical rotor, columns",
+        points: |_| BLOCK,
+        run: physical_values,
+    },
+    Case {
+        name: "physical_gradients",
+        about: "both widths with their gradients by all 12 inputs, columns",
+        points: |_| BLOCK,
+        run: physical_gradients,
+    },
+];
+
+/// The sizes of the larger cases.
+#[derive(Clone, Copy, Debug)]
+pub struct Sizes {
+    /// Rows and columns of the grid.
+    pub grid: usize,
+    /// Depths of the maximum.
+    pub max_rows: usize,
+    /// Angles of the maximum.
+    pub max_angles: usize,
+}
+
+/// Inputs and results of all cases.
+#[derive(Debug)]
+pub struct Bench {
+    /// The sizes.
+    pub sizes: Sizes,
+    columns: Vec<Vec<f64>>,
+    physical: Vec<Vec<f64>>,
+    results: Vec<Vec<f64>>,
+}
+
+impl Bench {
+    /// Prepares all cases.
+    pub fn new(sizes: Sizes) -> Self {
+        Self {
+            sizes,
+            columns: inputs::columns(STREAM),
+            physical: physical_columns(),
+            results: Vec::new(),
+        }
+    }
+
+    /// The results of the last run, a column each.
+    pub fn results(&self) -> &[Vec<f64>] {
+        &self.results
+    }
+
+    /// Results of this many columns and rows, whose memory is kept from run to run.
+    fn shaped(&mut self, columns: usize, rows: usize) {
+        if self.results.len() != columns
+            || self.results.first().is_none_or(|first| first.len() != rows)
+        {
+            self.results = vec![vec![0.0; rows]; columns];
+        }
+    }
+}
+
+/// Both widths of a stretch of columns.
+fn widths(c: &[&[f64]; 8], sir: &mut [f64], cir: &mut [f64]) -> Outcome {
+    let [
+        beta,
+        gamma,
+        delta,
+        epsilon_1,
+        epsilon_12,
+        epsilon_2,
+        disk_asymmetry,
+        crack_angle,
+    ] = *c;
+    macro_rules! inputs {
+        ($formula:ident) => {
+            &$formula::Columns {
+                c_beta: beta,
+                c_gamma: gamma,
+                c_delta: delta,
+                c_epsilon_1: epsilon_1,
+                c_epsilon_12: epsilon_12,
+                c_epsilon_2: epsilon_2,
+                c_disk_asymmetry: disk_asymmetry,
+                c_crack_angle: crack_angle,
+            }
+        };
+    }
+    sir_width::columns(inputs!(sir_width), [sir]).map_err(columns_error)?;
+    cir_width::columns(inputs!(cir_width), [cir]).map_err(columns_error)
+}
+
+fn columns_error(error: impl std::fmt::Display) -> CaseError {
+    CaseError::Columns(error.to_string())
+}
+
+/// The rows `from..to` of the dimensionless columns.
+fn stretch(columns: &[Vec<f64>], from: usize, to: usize) -> [&[f64]; 8] {
+    std::array::from_fn(|column| &columns[column][from..to])
+}
+
+/// One block, [`REPEATS`] times.
+fn repeat_block(columns: &[Vec<f64>], from: usize, results: [&mut [f64]; 2]) -> Outcome {
+    let [sir, cir] = results;
+    let block = stretch(columns, from, from + BLOCK);
+    for _ in 0..REPEATS {
+        widths(std::hint::black_box(&block), sir, cir)?;
+    }
+    Ok(())
+}
+
+fn widths_block(bench: &mut Bench) -> Outcome {
+    bench.shaped(2, BLOCK);
+    let [sir, cir] = &mut bench.results[..] else {
+        return Ok(());
+    };
+    repeat_block(&bench.columns, 0, [sir, cir])
+}
+
+fn widths_stream(bench: &mut Bench) -> Outcome {
+    bench.shaped(2, STREAM);
+    let [sir, cir] = &mut bench.results[..] else {
+        return Ok(());
+    };
+    // A block's results of the first width are still in the cache when the second is computed.
+    for from in (0..STREAM).step_by(BLOCK) {
+        let to = from + BLOCK;
+        widths(
+            &stretch(&bench.columns, from, to),
+            &mut sir[from..to],
+            &mut cir[from..to],
+        )?;
+    }
+    Ok(())
+}
+
+/// The two halves of `widths_two_threads`: each a block of inputs and its results.
+fn halves(bench: &mut Bench) -> (&[Vec<f64>], Vec<[&mut [f64]; 2]>) {
+    bench.shaped(4, BLOCK);
+    let mut results = bench.results.iter_mut().map(Vec::as_mut_slice);
+    let mut halves = Vec::new();
+    while let (Some(sir), Some(cir)) = (results.next(), results.next()) {
+        halves.push([sir, cir]);
+    }
+    (&bench.columns, halves)
+}
+
+fn widths_one_thread(bench: &mut Bench) -> Outcome {
+    let (columns, halves) = halves(bench);
+    for (place, half) in halves.into_iter().enumerate() {
+        repeat_block(columns, place * BLOCK, half)?;
+    }
+    Ok(())
+}
+
+fn widths_two_threads(bench: &mut Bench) -> Outcome {
+    let (columns, halves) = halves(bench);
+    thread::scope(|scope| {
+        let threads: Vec<_> = halves
+            .into_iter()
+            .enumerate()
+            .map(|(place, half)| scope.spawn(move || repeat_block(columns, place * BLOCK, half)))
+            .collect();
+        threads
+            .into_iter()
+            .try_for_each(|thread| thread.join().unwrap_or(Err(CaseError::Thread)))
+    })
+}
+
+/// The coefficients of [`ROTOR`] with another crack depth.
+fn row_coefficients(depth: f64) -> Result<Coefficients, CaseError> {
+    let parameters = RotorParameters {
+        crack_depth_ratio: depth,
+        ..ROTOR
+    };
+    let rotor = Rotor::new(parameters).map_err(columns_error)?;
+    Ok(rotor.coefficients()?)
+}
+
+/// The columns of one row of the grid: every coefficient the same, but for the angles.
+struct Row {
+    constant: [Vec<f64>; 7],
+    angles: Vec<f64>,
+}
+
+impl Row {
+    fn of(angles: usize) -> Self {
+        Self {
+            constant: std::array::from_fn(|_| vec![0.0; angles]),
+            angles: inputs::angles(angles),
+        }
+    }
+
+    fn widths(&mut self, depth: f64, sir: &mut [f64], cir: &mut [f64]) -> Outcome {
+        let c = row_coefficients(depth)?;
+        let row = [
+            c.beta,
+            c.gamma,
+            c.delta,
+            c.epsilon_1,
+            c.epsilon_12,
+            c.epsilon_2,
+            c.disk_asymmetry,
+        ];
+        for (column, value) in self.constant.iter_mut().zip(row) {
+            column.fill(value);
+        }
+        let [
+            beta,
+            gamma,
+            delta,
+            epsilon_1,
+            epsilon_12,
+            epsilon_2,
+            asymmetry,
+        ] = &self.constant;
+        let columns = [
+            beta,
+            gamma,
+            delta,
+            epsilon_1,
+            epsilon_12,
+            epsilon_2,
+            asymmetry,
+            &self.angles,
+        ];
+        widths(&columns.map(Vec::as_slice), sir, cir)
+    }
+}
+
+fn grid_sigma_phi(bench: &mut Bench) -> Outcome {
+    let size = bench.sizes.grid;
+    bench.shaped(2, size * size);
+    let [sir, cir] = &mut bench.results[..] else {
+        return Ok(());
+    };
+    let mut row = Row::of(size);
+    let rows = sir.chunks_mut(size).zip(cir.chunks_mut(size));
+    for (depth, (sir, cir)) in inputs::depths(size).into_iter().zip(rows) {
+        row.widths(depth, sir, cir)?;
+    }
+    Ok(())
+}
+
+fn grid_fill(bench: &mut Bench) -> Outcome {
+    let size = bench.sizes.grid;
+    bench.shaped(2, size * size);
+    let constant = std::hint::black_box(1.0);
+    for column in &mut bench.results {
+        column.fill(constant);
+    }
+    Ok(())
+}
+
+fn max_over_phi(bench: &mut Bench) -> Outcome {
+    let Sizes {
+        max_rows,
+        max_angles,
+        ..
+    } = bench.sizes;
+    bench.shaped(2, max_rows);
+    let mut row = Row::of(max_angles);
+    let (mut sir, mut cir) = (vec![0.0; max_angles], vec![0.0; max_angles]);
+    for (place, depth) in inputs::depths(max_rows).into_iter().enumerate() {
+        row.widths(depth, &mut sir, &mut cir)?;
+        for (result, widths) in bench.results.iter_mut().zip([&sir, &cir]) {
+            result[place] = widths.iter().copied().fold(0.0, f64::max);
+        }
+    }
+    Ok(())
+}
+
+/// The twelve inputs of rotors around the paper's, within 5 % of each, in the order of [`rotor_core::rotor::INPUTS`].
+fn physical_columns() -> Vec<Vec<f64>> {
+    let p = ROTOR;
+    let around = [
+        p.disk_mass,
+        p.disk_diametral_inertia,
+        p.disk_polar_inertia,
+        p.disk_asymmetry,
+        p.disk_position_ratio,
+        p.shaft_length,
+        p.shaft_radius,
+        p.shaft_youngs_modulus,
+        p.shaft_poissons_ratio,
+        p.crack_depth_ratio,
+        p.crack_position_ratio,
+        0.8,
+    ];
+    let column =
+        |(place, value): (usize, f64)| inputs::spread(place, 0.95 * value, 1.05 * value, BLOCK);
+    around.into_iter().enumerate().map(column).collect()
+}
+
+/// The physical columns as the generated form takes them, with the factor of a half-open edge for every row.
+fn physical_inputs<'a>(
+    columns: &'a [Vec<f64>],
+    edge_factor: &'a [f64],
+) -> widths_support_arm::Columns<'a> {
+    widths_support_arm::Columns {
+        p_disk_mass: &columns[0],
+        p_disk_diametral_inertia: &columns[1],
+        p_disk_polar_inertia: &columns[2],
+        p_disk_asymmetry: &columns[3],
+        p_disk_position_ratio: &columns[4],
+        p_shaft_length: &columns[5],
+        p_shaft_radius: &columns[6],
+        p_shaft_youngs_modulus: &columns[7],
+        p_shaft_poissons_ratio: &columns[8],
+        p_crack_depth_ratio: &columns[9],
+        p_crack_position_ratio: &columns[10],
+        p_crack_angle: &columns[11],
+        edge_factor,
+    }
+}
+
+fn physical_values(bench: &mut Bench) -> Outcome {
+    bench.shaped(2, BLOCK);
+    let edge_factor = vec![32.0; BLOCK];
+    let inputs = physical_inputs(&bench.physical, &edge_factor);
+    let [sir, cir] = &mut bench.results[..] else {
+        return Ok(());
+    };
+    widths_support_arm::columns(&inputs, [sir, cir]).map_err(columns_error)
+}
+
+fn physical_gradients(bench: &mut Bench) -> Outcome {
+    bench.shaped(26, BLOCK);
+    let edge_factor = vec![32.0; BLOCK];
+    let inputs = physical_inputs(&bench.physical, &edge_factor);
+    let results: Vec<&mut [f64]> = bench.results.iter_mut().map(Vec::as_mut_slice).collect();
+    let Ok(results) = results.try_into() else {
+        return Ok(());
+    };
+    widths_support_arm::gradient_columns(&inputs, results).map_err(columns_error)
+}

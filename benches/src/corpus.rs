@@ -1,0 +1,139 @@
+//! Thirty formulas of public origin on which the tools' operation counts are compared.
+//!
+//! Each is plain Rust under the generator, with its source and units, in `corpus/` or, those of the rotor, in
+//! [`rotor_core::equations`].
+
+use codegen::cost::Cost;
+use codegen::emit::scalar::Form;
+use codegen::expand::{Expansion, Generated};
+use codegen::parse::module::Function;
+use codegen::show::{self, ShowError};
+use rotor_core::equations;
+
+#[path = "../corpus/chemistry.rs"]
+pub mod chemistry;
+#[path = "../corpus/geometry.rs"]
+pub mod geometry;
+#[path = "../corpus/robotics.rs"]
+pub mod robotics;
+
+/// The formulas of one field.
+#[derive(Clone, Copy, Debug)]
+pub struct Field {
+    /// The field, which is also the name of its file.
+    pub name: &'static str,
+    /// The source text of its module.
+    pub source: &'static str,
+    /// The formulas taken from it.
+    pub formulas: &'static [&'static str],
+}
+
+/// All fields.
+pub const FIELDS: [Field; 4] = [
+    Field {
+        name: "rotor",
+        source: equations::SOURCE,
+        formulas: &[
+            "f_n",
+            "phi",
+            "sir_start",
+            "cir_start",
+            "sir_width",
+            "cir_width",
+        ],
+    },
+    Field {
+        name: "robotics",
+        source: robotics::SOURCE,
+        formulas: &[
+            "two_link_position",
+            "three_link_pose",
+            "two_link_torques",
+            "quaternion_rotation",
+            "reprojection_error",
+            "inertial_position_residual",
+            "relative_pose_error",
+            "bicycle_rates",
+        ],
+    },
+    Field {
+        name: "chemistry",
+        source: chemistry::SOURCE,
+        formulas: &[
+            "van_der_waals",
+            "peng_robinson",
+            "mixed_inhibition",
+            "arrhenius",
+            "lennard_jones",
+            "morse",
+            "debye_hueckel",
+            "antoine",
+        ],
+    },
+    Field {
+        name: "geometry",
+        source: geometry::SOURCE,
+        formulas: &[
+            "heron",
+            "circumradius",
+            "haversine",
+            "determinant_3",
+            "determinant_4",
+            "tetrahedron_volume",
+            "ray_sphere",
+            "torus_distance",
+        ],
+    },
+];
+
+/// A formula with what the generator makes of it.
+#[derive(Debug)]
+pub struct Counted {
+    /// As read.
+    pub function: Function,
+    /// The value alone.
+    pub value: Generated,
+    /// The value and its first partials: by those that the formula names, by all its inputs where it names none.
+    pub gradient: Generated,
+}
+
+impl Counted {
+    /// The counts of the value, and of value and gradient together.
+    pub fn costs(&self) -> [Cost; 2] {
+        [self.value.circuit.cost(), self.gradient.circuit.cost()]
+    }
+}
+
+impl Field {
+    /// Its module, of which nothing is read yet.
+    ///
+    /// # Errors
+    /// See [`show::module`].
+    pub fn expansion(&self) -> Result<Expansion, ShowError> {
+        show::module(self.source)
+    }
+
+    /// One of its formulas, counted.
+    ///
+    /// # Errors
+    /// There is no such formula, or it has mistakes.
+    pub fn counted(&self, expansion: &mut Expansion, name: &str) -> Result<Counted, ShowError> {
+        // Finds mistakes, and reads the formula.
+        show::forms(expansion, name)?;
+        let missing = || ShowError::Mistakes(name.to_owned());
+        let function = expansion.module().function(name).cloned();
+        let function = function.ok_or_else(missing)?;
+        let by = function
+            .request
+            .clone()
+            .and_then(|request| request.gradient);
+        let by = by.unwrap_or_default();
+        let mut form = |form| expansion.generate(&function, form, &by).ok_or_else(missing);
+        let (value, gradient) = (form(Form::Value)?, form(Form::Gradient)?);
+        Ok(Counted {
+            function,
+            value,
+            gradient,
+        })
+    }
+}
