@@ -17,6 +17,9 @@ pub mod lower;
 pub mod quotients;
 pub mod rounding;
 
+use std::num::NonZero;
+use std::thread::available_parallelism;
+
 use crate::factor::circuit::Circuit;
 use crate::factor::extract::ORDERS;
 use crate::factor::rounding::Reference;
@@ -76,16 +79,10 @@ pub fn minimise(graph: &Graph, outputs: &Outputs) -> Circuit {
     merged.extend(forward(graph, outputs).map(|(graph, all)| unified(&graph, &all)));
     let as_written = rewrite::rewrite(graph, &all);
     for graphs in [merged, vec![as_written]] {
-        let mut circuits = Vec::new();
-        for (graph, roots) in graphs {
-            for lowered in lowered_forms(graph, roots, outputs) {
-                circuits.extend(ORDERS.iter().map(|order| {
-                    let mut circuit = lowered.clone();
-                    extract::extract(&mut circuit, order);
-                    circuit
-                }));
-            }
-        }
+        let lowered = graphs
+            .into_iter()
+            .flat_map(|(graph, roots)| lowered_forms(graph, roots, outputs));
+        let mut circuits = extracted(&lowered.collect::<Vec<_>>());
         circuits.sort_by_key(|circuit| circuit.cost().weight());
         let mut sound = circuits
             .into_iter()
@@ -100,6 +97,38 @@ pub fn minimise(graph: &Graph, outputs: &Outputs) -> Circuit {
         }
     }
     lower::lower(graph, &all)
+}
+
+/// Every circuit in every order of extraction, one after the other; worked out on all cores.
+fn extracted(lowered: &[Circuit]) -> Vec<Circuit> {
+    let ways = lowered
+        .iter()
+        .flat_map(|circuit| ORDERS.iter().map(move |order| (circuit, *order)));
+    let ways: Vec<_> = ways.collect();
+    let threads = available_parallelism().map_or(1, NonZero::get);
+    let ways = &ways;
+    let mut parts: Vec<_> = std::thread::scope(|scope| {
+        let part = |thread| {
+            scope.spawn(move || {
+                let own = ways.iter().skip(thread).step_by(threads);
+                let extracted = own.map(|(circuit, order)| {
+                    let mut circuit = Circuit::clone(circuit);
+                    extract::extract(&mut circuit, order);
+                    circuit
+                });
+                extracted.collect::<Vec<_>>()
+            })
+        };
+        let started: Vec<_> = (0..threads).map(part).collect();
+        let joined = started.into_iter().map(|part| {
+            part.join()
+                .unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+                .into_iter()
+        });
+        joined.collect()
+    });
+    let next = |way: usize| parts.get_mut(way % threads).and_then(Iterator::next);
+    (0..ways.len()).filter_map(next).collect()
 }
 
 /// Equal expressions as one.

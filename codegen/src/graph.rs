@@ -9,19 +9,17 @@
 //! - Nothing is ever multiplied out: the structure of a formula is its author's knowledge about rounding.
 
 mod canonical;
+pub(crate) mod rational;
 mod sign;
 
 use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::hash::{Hash, Hasher};
 
-use num_bigint::BigInt;
-use num_rational::BigRational;
 use num_traits::One;
 
 use crate::approximate::piecewise::PiecewisePolynomial;
+pub use rational::{Rational, ratio, whole};
 pub use sign::Sign;
-
-/// An exact rational constant.
-pub type Rational = BigRational;
 
 /// Handle of an expression in its [`Graph`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -86,7 +84,7 @@ pub enum NamedConstant {
 }
 
 /// One node of the graph.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Node {
     /// An exact rational constant.
     Number(Rational),
@@ -120,6 +118,31 @@ pub enum Node {
         /// Upper bound.
         upper: ExprId,
     },
+}
+
+impl Hash for Node {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        std::mem::discriminant(self).hash(state);
+        match self {
+            Self::Number(value) => rational::hash_parts(value, state),
+            Self::Constant(name) => name.hash(state),
+            Self::Symbol(symbol) => symbol.hash(state),
+            Self::Sum(terms) => rational::hash_terms(terms, state),
+            Self::Product(factors) => factors.hash(state),
+            Self::Apply(function, operands) => (function, operands).hash(state),
+            Self::Tabulated {
+                table,
+                order,
+                argument,
+            } => (table, order, argument).hash(state),
+            Self::Integral {
+                variable,
+                integrand,
+                lower,
+                upper,
+            } => (variable, integrand, lower, upper).hash(state),
+        }
+    }
 }
 
 /// A symbol: its name as the formula's author writes it, and what is known about its sign.
@@ -426,14 +449,4 @@ impl Graph {
             _ => image,
         })
     }
-}
-
-/// A whole number as a rational constant.
-pub fn whole(value: i64) -> Rational {
-    Rational::from_integer(BigInt::from(value))
-}
-
-/// The quotient of two whole numbers as a rational constant; the denominator is not zero.
-pub fn ratio(numerator: i64, denominator: i64) -> Rational {
-    Rational::new(BigInt::from(numerator), BigInt::from(denominator))
 }

@@ -4,12 +4,13 @@
 //! done once for all points, one that depends on the inner ones alone is done once for a table of their values, and only
 //! those that depend on both are left for the loop over the points. How many are left is a matter of form: `k·√(a + b·t)`
 //! has two operations more in its loop than `√(k²a + k²b·t)`. So factors that stand still are taken into roots
-//! ([`absorb`]), sums and products are gathered by what they depend on ([`regroup`]), and the circuit with the fewest
+//! ([`absorb`]), sums and products are gathered by what they depend on ([`regroup`], [`terms`]), and the circuit with the fewest
 //! operations at each point is chosen, among those that round no worse than the formula as its author wrote it.
 
 pub mod absorb;
 pub mod regroup;
 pub mod split;
+pub mod terms;
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -90,10 +91,13 @@ pub fn minimise(graph: &Graph, outputs: &Outputs, inner: &BTreeSet<SymbolId>) ->
             let mut circuit = lowered.clone();
             extract::extract(&mut circuit, order);
             // What was gathered into another operation is not needed any more.
-            let circuit = regroup::by_stage(&circuit, inner);
-            let circuit = split::part(&circuit, &circuit.outputs, &BTreeMap::new());
-            if !circuits.iter().any(|known| known.is_same(&circuit)) {
-                circuits.push(circuit);
+            let gathered = regroup::by_stage(&circuit, inner);
+            let opened = regroup::by_stage(&terms::opened(&circuit, inner), inner);
+            for circuit in [gathered, terms::collected(&opened, inner)] {
+                let circuit = split::part(&circuit, &circuit.outputs, &BTreeMap::new());
+                if !circuits.iter().any(|known| known.is_same(&circuit)) {
+                    circuits.push(circuit);
+                }
             }
         }
     }

@@ -609,7 +609,7 @@ mod formulas {
     }
 
     /// Both widths, $\lambda_s$ and $\lambda_c$, in stages along what a scan varies.
-    #[generate(columns, stage(c.crack_angle), stage(c.disk_asymmetry), stage(c.beta), stage(c.gamma, c.delta), stage(c.beta, c.gamma, c.delta))]
+    #[generate(columns, stage(c.crack_angle), stage(c.disk_asymmetry), stage(c.beta, c.gamma, c.delta))]
     pub fn both_widths(c: &Coefficients) -> (f64, f64) {
         (sir_width(c), cir_width(c))
     }
@@ -670,7 +670,9 @@ mod formulas {
 
     // ---- Both widths straight from the physical rotor ----------------------------------------------
 
-    /// Both widths, $\lambda_s$ and $\lambda_c$, of a rotor whose crack is loaded as in `s`.
+    /// Both widths, $\lambda_s$ and $\lambda_c$, of a rotor whose crack is loaded as in `s`, in stages along depth and place.
+    #[domain(p.disk_mass > 0.0, p.disk_diametral_inertia > 0.0, p.disk_polar_inertia > 0.0, p.disk_position_ratio > 0.0, p.shaft_length > 0.0, p.shaft_radius > 0.0, p.shaft_youngs_modulus > 0.0, p.crack_depth_ratio >= 0.0, edge_factor > 0.0)]
+    #[generate(stage(p.crack_depth_ratio), stage(s.moment_of_force, s.shear_of_force, s.moment_of_couple, s.shear_of_couple))]
     pub fn widths(p: &RotorParameters, s: &SectionLoads, edge_factor: f64) -> (f64, f64) {
         both_widths(&coefficients(p, &stiffness(p, s, edge_factor)))
     }

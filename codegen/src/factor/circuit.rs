@@ -4,11 +4,12 @@
 //! products.
 
 use std::collections::{BTreeMap, HashMap};
+use std::hash::{Hash, Hasher};
 
 use num_traits::{One, Signed, Zero};
 
 use crate::cost::Cost;
-use crate::graph::{Function, Rational, SymbolId};
+use crate::graph::{Function, Rational, SymbolId, rational};
 
 /// Handle of an operation in its [`Circuit`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -22,7 +23,7 @@ impl Net {
 }
 
 /// One operation.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Operation {
     /// A constant.
     Number(Rational),
@@ -45,6 +46,25 @@ pub enum Operation {
         /// The argument.
         argument: Net,
     },
+}
+
+impl Hash for Operation {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        std::mem::discriminant(self).hash(state);
+        match self {
+            Self::Number(value) => rational::hash_parts(value, state),
+            Self::Symbol(symbol) => symbol.hash(state),
+            Self::Sum(terms) => rational::hash_terms(terms, state),
+            Self::Product(factors) => factors.hash(state),
+            Self::Quotient(numerator, denominator) => (numerator, denominator).hash(state),
+            Self::Apply(function, operands) => (function, operands).hash(state),
+            Self::Tabulated {
+                table,
+                order,
+                argument,
+            } => (table, order, argument).hash(state),
+        }
+    }
 }
 
 impl Operation {
@@ -179,7 +199,7 @@ impl Circuit {
             .into_iter()
             .map(|(operand, coefficient)| match self.operation(operand) {
                 Operation::Sum(inner) if inner.len() == 1 => {
-                    (inner[0].0, &inner[0].1 * coefficient)
+                    (inner[0].0, rational::times(&inner[0].1, &coefficient))
                 }
                 _ => (operand, coefficient),
             })
@@ -191,7 +211,7 @@ impl Circuit {
     fn closed_sum(&mut self, terms: Vec<(Net, Rational)>) -> Net {
         let mut collected: BTreeMap<Net, Rational> = BTreeMap::new();
         for (operand, coefficient) in terms {
-            *collected.entry(operand).or_insert_with(Rational::zero) += coefficient;
+            rational::collect(&mut collected, operand, coefficient);
         }
         collected.retain(|_, coefficient| !coefficient.is_zero());
         let terms: Vec<_> = collected.into_iter().collect();
@@ -353,7 +373,7 @@ impl Circuit {
                                 && (uses[operand.index()] == 1
                                     || terms.len() == 1 && !coefficient.abs().is_one()) =>
                         {
-                            opened.push((inner[0].0, &inner[0].1 * coefficient));
+                            opened.push((inner[0].0, rational::times(&inner[0].1, &coefficient)));
                         }
                         _ => opened.push((image(operand), coefficient.clone())),
                     }

@@ -8,7 +8,7 @@ use num_traits::{One, Signed, Zero};
 
 use super::circuit::{Circuit, Net, Operation};
 use super::{coefficients, quotients};
-use crate::graph::Rational;
+use crate::graph::{Rational, rational};
 
 /// One kind of extraction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -289,7 +289,12 @@ fn sum_of(circuit: &mut Circuit, terms: Vec<Term>) -> Term {
     let content = if common { first } else { first.signum() };
     let terms: Vec<_> = terms
         .into_iter()
-        .map(|term| (product_of(circuit, &term), term.coefficient / &content))
+        .map(|term| {
+            (
+                product_of(circuit, &term),
+                rational::over(&term.coefficient, &content),
+            )
+        })
         .collect();
     Term {
         factors: BTreeMap::from([(circuit.sum(terms), 1)]),
@@ -441,7 +446,7 @@ fn term_pairs(terms: &BTreeMap<Net, Rational>) -> BTreeMap<TermPair, usize> {
     for (a, first) in terms {
         for (b, second) in terms.range((std::ops::Bound::Excluded(*a), std::ops::Bound::Unbounded))
         {
-            pairs.insert((*a, *b, second / first), 1);
+            pairs.insert((*a, *b, rational::over(second, first)), 1);
         }
     }
     pairs

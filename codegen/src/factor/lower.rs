@@ -8,7 +8,7 @@ use num_traits::{One, Pow, Signed, Zero};
 
 use super::circuit::{Circuit, Net, Operation};
 use super::constants;
-use crate::graph::{ExprId, Function, Graph, NamedConstant, Node, Rational};
+use crate::graph::{ExprId, Function, Graph, NamedConstant, Node, Rational, rational};
 use crate::parse::literal::decimal;
 
 /// Digits of a constant that is not rational, many more than any number type of the output has.
@@ -127,7 +127,7 @@ impl Lowering<'_> {
         let mut collected: BTreeMap<Net, Rational> = BTreeMap::new();
         for (operand, coefficient) in terms {
             let (inner, net) = self.multiple(*operand);
-            *collected.entry(net).or_insert_with(Rational::zero) += coefficient * inner;
+            rational::collect(&mut collected, net, rational::times(coefficient, &inner));
         }
         collected.retain(|_, coefficient| !coefficient.is_zero());
         let terms: Vec<(Net, Rational)> = collected.into_iter().collect();
@@ -143,7 +143,7 @@ impl Lowering<'_> {
         let content = if common { first.abs() } else { Rational::one() };
         let scaled: Vec<_> = terms
             .into_iter()
-            .map(|(net, coefficient)| (net, coefficient / &content))
+            .map(|(net, coefficient)| (net, rational::over(&coefficient, &content)))
             .collect();
         (content, self.circuit.sum(scaled))
     }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use num_traits::{One, Signed, Zero};
 
-use super::{ExprId, Function, Graph, NamedConstant, Node, Rational, SymbolId, whole};
+use super::{ExprId, Function, Graph, NamedConstant, Node, Rational, SymbolId, rational, whole};
 
 impl Graph {
     /// An exact constant.
@@ -50,7 +50,7 @@ impl Graph {
                 Node::Sum(inner) => {
                     has_sum = true;
                     for (term, q) in inner.clone() {
-                        self.collect_term(&mut opened, term, coefficient * q);
+                        self.collect_term(&mut opened, term, rational::times(coefficient, &q));
                     }
                 }
                 _ => self.collect_term(&mut opened, *operand, coefficient.clone()),
@@ -74,9 +74,13 @@ impl Graph {
                 *terms.entry(self.one()).or_insert_with(Rational::zero) += value * coefficient;
             }
             Node::Sum(inner) if inner.len() == 1 => {
-                self.collect_term(terms, inner[0].0, &inner[0].1 * coefficient);
+                self.collect_term(
+                    terms,
+                    inner[0].0,
+                    rational::times(&inner[0].1, &coefficient),
+                );
             }
-            _ => *terms.entry(operand).or_insert_with(Rational::zero) += coefficient,
+            _ => rational::collect(terms, operand, coefficient),
         }
     }
 

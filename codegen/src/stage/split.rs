@@ -92,7 +92,10 @@ pub(super) fn part(
     for net in needed(circuit, outputs, replaced) {
         let operation = match replaced.get(&net) {
             Some(symbol) => Operation::Symbol(*symbol),
-            None => on_images(circuit.operation(net), &images),
+            // Operands come before their users, so that each has its image.
+            None => on_images(circuit.operation(net), |operand| {
+                images.get(&operand).copied().unwrap_or(operand)
+            }),
         };
         let image = part.push(operation);
         if let Some(name) = circuit
@@ -120,9 +123,9 @@ fn needed(circuit: &Circuit, outputs: &[Net], replaced: &BTreeMap<Net, SymbolId>
     needed
 }
 
-fn on_images(operation: &Operation, images: &BTreeMap<Net, Net>) -> Operation {
-    // Operands come before their users, so that each has its image.
-    let image = |net: &Net| images.get(net).copied().unwrap_or(*net);
+/// The operation on other operands.
+pub(super) fn on_images(operation: &Operation, image: impl Fn(Net) -> Net) -> Operation {
+    let image = |net: &Net| image(*net);
     match operation {
         Operation::Sum(terms) => {
             let mut terms: Vec<_> = terms
