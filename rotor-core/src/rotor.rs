@@ -323,25 +323,11 @@ impl Rotor {
 
     /// Which of the load formulas holds for the crack's model and place.
     pub(crate) fn load_case(&self) -> LoadCase {
-        let p = &self.parameters;
-        match p.crack_model {
-            CrackModel::SupportArm => LoadCase::SupportArm,
-            CrackModel::MidspanArm => LoadCase::MidspanArm,
-            CrackModel::SimplySupported if p.crack_position_ratio < p.disk_position_ratio => {
-                LoadCase::SimplySupportedLeft
-            }
-            CrackModel::SimplySupported => LoadCase::SimplySupportedRight,
-        }
+        LoadCase::of(&self.parameters)
     }
 
     fn section_loads(&self) -> SectionLoads {
-        let p = &self.parameters;
-        match self.load_case() {
-            LoadCase::SupportArm => equations::support_arm(p),
-            LoadCase::MidspanArm => equations::midspan_arm(p),
-            LoadCase::SimplySupportedLeft => equations::simply_supported_left(p),
-            LoadCase::SimplySupportedRight => equations::simply_supported_right(p),
-        }
+        self.load_case().loads(&self.parameters)
     }
 }
 
@@ -352,6 +338,37 @@ pub(crate) enum LoadCase {
     MidspanArm,
     SimplySupportedLeft,
     SimplySupportedRight,
+}
+
+impl LoadCase {
+    pub(crate) const ALL: [Self; 4] = [
+        Self::SupportArm,
+        Self::MidspanArm,
+        Self::SimplySupportedLeft,
+        Self::SimplySupportedRight,
+    ];
+
+    /// The one for a rotor's crack.
+    pub(crate) fn of(p: &RotorParameters) -> Self {
+        match p.crack_model {
+            CrackModel::SupportArm => Self::SupportArm,
+            CrackModel::MidspanArm => Self::MidspanArm,
+            CrackModel::SimplySupported if p.crack_position_ratio < p.disk_position_ratio => {
+                Self::SimplySupportedLeft
+            }
+            CrackModel::SimplySupported => Self::SimplySupportedRight,
+        }
+    }
+
+    /// The loads by it.
+    pub(crate) fn loads(self, p: &RotorParameters) -> SectionLoads {
+        match self {
+            Self::SupportArm => equations::support_arm(p),
+            Self::MidspanArm => equations::midspan_arm(p),
+            Self::SimplySupportedLeft => equations::simply_supported_left(p),
+            Self::SimplySupportedRight => equations::simply_supported_right(p),
+        }
+    }
 }
 
 fn check(

@@ -3,8 +3,7 @@
 use lanes::{ALL, Kernel, Level, store};
 use proptest::prelude::*;
 use rotor_core::equations::both_widths::{
-    Columns, along_beta, along_beta_and_gamma_and_delta, along_crack_angle, along_disk_asymmetry,
-    along_gamma_and_delta, columns,
+    Columns, along_beta_and_gamma_and_delta, along_crack_angle, along_disk_asymmetry, columns,
 };
 use rotor_core::equations::{Coefficients, cir_width, sir_width};
 use rotor_core::rotor::{Rotor, RotorParameters};
@@ -94,16 +93,7 @@ proptest! {
             ..c
         });
         let betas = along(1.1, 1.9);
-        assert_staged!(along_beta, [&betas[..]], &c, |row| Coefficients {
-            beta: betas[row],
-            ..c
-        });
         let (gammas, deltas) = (along(-0.9, -0.5), along(1.2, 1.7));
-        assert_staged!(along_gamma_and_delta, [&gammas[..], &deltas[..]], &c, |row| Coefficients {
-            gamma: gammas[row],
-            delta: deltas[row],
-            ..c
-        });
         assert_staged!(
             along_beta_and_gamma_and_delta,
             [&betas[..], &gammas[..], &deltas[..]],
