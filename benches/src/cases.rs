@@ -5,7 +5,10 @@
 
 use std::thread;
 
-use rotor_core::equations::{Coefficients, cir_width, sir_width, widths_support_arm};
+use lanes::{ALL, Consumer, Kernel, Level, Pack, Simd, fold, store};
+use rotor_core::equations::both_widths::along_crack_angle as widths_along_angle;
+use rotor_core::equations::both_widths_squared::along_crack_angle as squares_along_angle;
+use rotor_core::equations::{Coefficients, both_widths, widths_support_arm};
 use rotor_core::rotor::{NoCoefficients, Rotor, RotorParameters};
 
 use crate::inputs::{self, BLOCK, ROTOR, STREAM};
@@ -160,22 +163,17 @@ fn widths(c: &[&[f64]; 8], sir: &mut [f64], cir: &mut [f64]) -> Outcome {
         disk_asymmetry,
         crack_angle,
     ] = *c;
-    macro_rules! inputs {
-        ($formula:ident) => {
-            &$formula::Columns {
-                c_beta: beta,
-                c_gamma: gamma,
-                c_delta: delta,
-                c_epsilon_1: epsilon_1,
-                c_epsilon_12: epsilon_12,
-                c_epsilon_2: epsilon_2,
-                c_disk_asymmetry: disk_asymmetry,
-                c_crack_angle: crack_angle,
-            }
-        };
-    }
-    sir_width::columns(inputs!(sir_width), [sir]).map_err(columns_error)?;
-    cir_width::columns(inputs!(cir_width), [cir]).map_err(columns_error)
+    let inputs = both_widths::Columns {
+        c_beta: beta,
+        c_gamma: gamma,
+        c_delta: delta,
+        c_epsilon_1: epsilon_1,
+        c_epsilon_12: epsilon_12,
+        c_epsilon_2: epsilon_2,
+        c_disk_asymmetry: disk_asymmetry,
+        c_crack_angle: crack_angle,
+    };
+    both_widths::columns(&inputs, [sir, cir]).map_err(columns_error)
 }
 
 fn columns_error(error: impl std::fmt::Display) -> CaseError {
@@ -210,16 +208,7 @@ fn widths_stream(bench: &mut Bench) -> Outcome {
     let [sir, cir] = &mut bench.results[..] else {
         return Ok(());
     };
-    // A block's results of the first width are still in the cache when the second is computed.
-    for from in (0..STREAM).step_by(BLOCK) {
-        let to = from + BLOCK;
-        widths(
-            &stretch(&bench.columns, from, to),
-            &mut sir[from..to],
-            &mut cir[from..to],
-        )?;
-    }
-    Ok(())
+    widths(&stretch(&bench.columns, 0, STREAM), sir, cir)
 }
 
 /// The two halves of `widths_two_threads`: each a block of inputs and its results.
@@ -265,67 +254,31 @@ fn row_coefficients(depth: f64) -> Result<Coefficients, CaseError> {
     Ok(rotor.coefficients()?)
 }
 
-/// The columns of one row of the grid: every coefficient the same, but for the angles.
-struct Row {
-    constant: [Vec<f64>; 7],
-    angles: Vec<f64>,
-}
-
-impl Row {
-    fn of(angles: usize) -> Self {
-        Self {
-            constant: std::array::from_fn(|_| vec![0.0; angles]),
-            angles: inputs::angles(angles),
-        }
-    }
-
-    fn widths(&mut self, depth: f64, sir: &mut [f64], cir: &mut [f64]) -> Outcome {
-        let c = row_coefficients(depth)?;
-        let row = [
-            c.beta,
-            c.gamma,
-            c.delta,
-            c.epsilon_1,
-            c.epsilon_12,
-            c.epsilon_2,
-            c.disk_asymmetry,
-        ];
-        for (column, value) in self.constant.iter_mut().zip(row) {
-            column.fill(value);
-        }
-        let [
-            beta,
-            gamma,
-            delta,
-            epsilon_1,
-            epsilon_12,
-            epsilon_2,
-            asymmetry,
-        ] = &self.constant;
-        let columns = [
-            beta,
-            gamma,
-            delta,
-            epsilon_1,
-            epsilon_12,
-            epsilon_2,
-            asymmetry,
-            &self.angles,
-        ];
-        widths(&columns.map(Vec::as_slice), sir, cir)
-    }
+/// What the angles alone decide, a list for each of their tables.
+fn tables<A, const TABLES: usize>(angles: &[f64]) -> Result<[Vec<f64>; TABLES], CaseError>
+where
+    A: Kernel<0, 1, TABLES>,
+{
+    let mut tables = [(); TABLES].map(|()| vec![0.0; angles.len()]);
+    let slices = tables.each_mut().map(Vec::as_mut_slice);
+    store::<A, ALL, 0, 1, TABLES>(Level::best(), &[], [angles], slices).map_err(columns_error)?;
+    Ok(tables)
 }
 
 fn grid_sigma_phi(bench: &mut Bench) -> Outcome {
+    use widths_along_angle::{Along, FIXED, Points, TABLES, fixed};
     let size = bench.sizes.grid;
     bench.shaped(2, size * size);
     let [sir, cir] = &mut bench.results[..] else {
         return Ok(());
     };
-    let mut row = Row::of(size);
+    let tables = tables::<Along, TABLES>(&inputs::angles(size))?;
     let rows = sir.chunks_mut(size).zip(cir.chunks_mut(size));
     for (depth, (sir, cir)) in inputs::depths(size).into_iter().zip(rows) {
-        row.widths(depth, sir, cir)?;
+        let fixed = fixed(&row_coefficients(depth)?);
+        let tables = tables.each_ref().map(Vec::as_slice);
+        store::<Points, ALL, FIXED, TABLES, 2>(Level::best(), &fixed, tables, [sir, cir])
+            .map_err(columns_error)?;
     }
     Ok(())
 }
@@ -340,20 +293,65 @@ fn grid_fill(bench: &mut Bench) -> Outcome {
     Ok(())
 }
 
+/// The greatest of each result, none of which is negative.
+struct Greatest;
+
+impl Consumer<2> for Greatest {
+    type Lanes<S: Simd> = [Pack<S>; 2];
+    type Output = [f64; 2];
+
+    #[inline(always)]
+    fn begin<S: Simd>(&self, simd: S) -> [Pack<S>; 2] {
+        [Pack::splat(simd, 0.0); 2]
+    }
+
+    #[inline(always)]
+    fn take<S: Simd>(&self, lanes: &mut [Pack<S>; 2], _: usize, _: usize, results: &[Pack<S>; 2]) {
+        for (greatest, result) in lanes.iter_mut().zip(results) {
+            // Beyond the last row a pack repeats rows that are there.
+            *greatest = greatest.max(*result);
+        }
+    }
+
+    #[inline(always)]
+    fn end<S: Simd>(&self, lanes: [Pack<S>; 2]) -> [f64; 2] {
+        lanes.map(|pack| pack.as_slice().iter().copied().fold(0.0, f64::max))
+    }
+}
+
+/// Angles whose tables stay in the nearest cache while the rows pass.
+const ANGLES: usize = 1024;
+
 fn max_over_phi(bench: &mut Bench) -> Outcome {
+    use squares_along_angle::{Along, FIXED, Points, TABLES, fixed};
     let Sizes {
         max_rows,
         max_angles,
         ..
     } = bench.sizes;
     bench.shaped(2, max_rows);
-    let mut row = Row::of(max_angles);
-    let (mut sir, mut cir) = (vec![0.0; max_angles], vec![0.0; max_angles]);
-    for (place, depth) in inputs::depths(max_rows).into_iter().enumerate() {
-        row.widths(depth, &mut sir, &mut cir)?;
-        for (result, widths) in bench.results.iter_mut().zip([&sir, &cir]) {
-            result[place] = widths.iter().copied().fold(0.0, f64::max);
+    let tables = tables::<Along, TABLES>(&inputs::angles(max_angles))?;
+    let rows = inputs::depths(max_rows)
+        .into_iter()
+        .map(|depth| Ok(fixed(&row_coefficients(depth)?)));
+    let rows: Vec<[f64; FIXED]> = rows.collect::<Result<_, CaseError>>()?;
+    for result in &mut bench.results {
+        result.fill(0.0);
+    }
+    for from in (0..max_angles).step_by(ANGLES) {
+        let to = max_angles.min(from + ANGLES);
+        let tables = tables.each_ref().map(|table| &table[from..to]);
+        for (place, row) in rows.iter().enumerate() {
+            let greatest =
+                fold::<Points, _, FIXED, TABLES, 2>(Level::best(), row, tables, &Greatest)
+                    .map_err(columns_error)?;
+            for (result, greatest) in bench.results.iter_mut().zip(greatest) {
+                result[place] = greatest.max(result[place]);
+            }
         }
+    }
+    for result in bench.results.iter_mut().flatten() {
+        *result = result.sqrt();
     }
     Ok(())
 }

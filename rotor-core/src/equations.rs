@@ -78,9 +78,7 @@ pub const SOURCE: &str = include_str!("equations.rs");
 mod formulas {
     use super::terms::*;
     use crate::rotor::RotorParameters;
-
     // ---- Crack compliance, Eq. (8) --------------------------------------------------------------
-
     /// Tada's root $\sqrt{\tan l / l}$ with $l = \pi\alpha/2$, shared by $F_1$, $F_2$ and $F_{III}$ (E5).
     pub fn tada_root(alpha: f64) -> f64 {
         let l = std::f64::consts::FRAC_PI_2 * alpha;
@@ -120,8 +118,7 @@ mod formulas {
         2.0 * (1.0 - mu.powi(2)).sqrt()
     }
 
-    /// Depth $\bar a = \sqrt{1-\bar\mu^2} - (1-\sigma)$ of the crack in that strip (E4), written without the
-    /// difference of two numbers near 1 that a shallow crack would lose its digits to.
+    /// Depth $\bar a = \sqrt{1-\bar\mu^2} - (1-\sigma)$ of the crack in that strip (E4), without a difference near 1.
     pub fn strip_depth(mu: f64, sigma: f64) -> f64 {
         sigma - mu.powi(2) / (1.0 + (1.0 - mu.powi(2)).sqrt())
     }
@@ -188,8 +185,7 @@ mod formulas {
         )
     }
 
-    /// Crack compliance, Eq. (8). `edge_factor` is 32 where one half of the edge opens, as in the paper,
-    /// and 64 where both do (E6).
+    /// Crack compliance, Eq. (8). `edge_factor` is 32 where one half of the edge opens, 64 where both do (E6).
     #[generate(value)]
     pub fn crack_compliance(p: &RotorParameters, edge_factor: f64) -> CrackCompliance {
         let plane_strain = (1.0 - p.shaft_poissons_ratio.powi(2))
@@ -204,7 +200,6 @@ mod formulas {
     }
 
     // ---- Flexibility and stiffness, Eqs. (5) to (10) --------------------------------------------
-
     /// Flexibility of the uncracked, simply supported shaft at the disk, Eq. (7).
     #[generate(value)]
     pub fn shaft_flexibility(p: &RotorParameters) -> ShaftFlexibility {
@@ -282,8 +277,7 @@ mod formulas {
         }
     }
 
-    /// Determinant $a_{11}a_{44} - a_{14}^2$ of one plane of Eq. (6) with the crack's compliances `shear` and
-    /// `bending` in that plane: what a crack adds to that of the uncracked shaft, each term ≥ 0.
+    /// Determinant $a_{11}a_{44} - a_{14}^2$ of a plane of Eq. (6) from the crack's compliances in it, each term ≥ 0.
     pub fn flexibility_determinant(
         f: &ShaftFlexibility,
         s: &SectionLoads,
@@ -361,7 +355,6 @@ mod formulas {
     }
 
     // ---- Frequency equations, Eqs. (13) and (22) to (25) -----------------------------------------
-
     /// $H = 1 - \omega^2$, Eq. (23).
     pub fn transverse(omega: f64) -> f64 {
         1.0 - omega.powi(2)
@@ -378,8 +371,7 @@ mod formulas {
         transverse(omega) * tilting(omega, speed, c) - c.gamma.powi(2)
     }
 
-    /// Frequency equation of the rotor, Eq. (22) term by term: zero at the frequencies $\omega$, $2\Omega - \omega$ of its
-    /// motion. The factors that Eq. (18) prints wrong (E7) are right in it.
+    /// Frequency equation, Eq. (22) term by term (E7): zero at the frequencies $\omega$, $2\Omega - \omega$ of the motion.
     #[generate(value, gradient(omega, speed), hessian(omega, speed), columns)]
     #[specialise(phi_on_sir, omega = speed, generate(value, gradient(speed)))]
     pub fn phi(omega: f64, speed: f64, c: &Coefficients) -> f64 {
@@ -422,8 +414,7 @@ mod formulas {
         c.disk_asymmetry * omega * omega_bar * transverse(omega) * transverse(omega_bar)
     }
 
-    /// $a^2 + b^2 + 2ab\cos 2\phi$, the square of the sum of two excitations at the angle $2\phi$ (Eqs. 25a, 25b),
-    /// as a sum of squares: it never rounds below zero, and keeps its digits where the two cancel.
+    /// $a^2 + b^2 + 2ab\cos 2\phi$ of two excitations (Eqs. 25a, 25b) as squares: it keeps its digits where they cancel.
     pub fn resultant_squared(a: f64, b: f64, angle: f64) -> f64 {
         ((a + b) * angle.cos()).powi(2) + ((a - b) * angle.sin()).powi(2)
     }
@@ -454,7 +445,6 @@ mod formulas {
     }
 
     // ---- Starts of the regions, Eqs. (15), (16) ---------------------------------------------------
-
     /// $C = \delta - \gamma^2$, the determinant of the mean stiffness in dimensionless form.
     pub fn coupled_stiffness(c: &Coefficients) -> f64 {
         c.delta - c.gamma.powi(2)
@@ -511,7 +501,6 @@ mod formulas {
     }
 
     // ---- Widths, growth and zero unstable points, Eqs. (29) to (32) -------------------------------
-
     /// $\Theta_1/H$ at the start of a simple region, where $HG = \gamma^2$: Eq. (25c) without the division, which would be 0/0
     /// where displacement and tilt are uncoupled. Only the product $\epsilon_{12}\gamma$ is needed, which then is finite.
     pub fn crack_excitation(h: f64, g: f64, c: &Coefficients) -> f64 {
@@ -556,8 +545,7 @@ mod formulas {
         -(excitation + excitation_bar) / (h * g_bar + h_bar * g)
     }
 
-    /// Growth rate over the root of the strength at the start of a region: the first term of Eq. (29),
-    /// $\kappa_0^2 = (-\Gamma/H\bar H)/(\partial_\omega f_n\,\partial_\omega\bar f_n)$.
+    /// First term of Eq. (29): $\kappa_0^2 = (-\Gamma/H\bar H)/(\partial_\omega f_n\,\partial_\omega\bar f_n)$.
     pub fn peak_growth_squared(omega: f64, speed: f64, strength: f64, c: &Coefficients) -> f64 {
         // The partner frequency is 2Ω − ω, so its derivative by ω changes sign.
         let partner_slope = -f_n::d_omega(2.0 * speed - omega, speed, c);
@@ -612,6 +600,12 @@ mod formulas {
     #[generate(columns, stage(c.crack_angle), stage(c.disk_asymmetry), stage(c.beta, c.gamma, c.delta))]
     pub fn both_widths(c: &Coefficients) -> (f64, f64) {
         (sir_width(c), cir_width(c))
+    }
+
+    /// The squares of both widths, of which a scan takes maxima: one root is left of many.
+    #[generate(stage(c.crack_angle))]
+    pub fn both_widths_squared(c: &Coefficients) -> (f64, f64) {
+        (sir_width(c).powi(2), cir_width(c).powi(2))
     }
 
     /// Growth rate in the simple region at the detuning $\vartheta = \Omega - \Omega_s$, Eq. (29).
@@ -669,7 +663,6 @@ mod formulas {
     }
 
     // ---- Both widths straight from the physical rotor ----------------------------------------------
-
     /// Both widths, $\lambda_s$ and $\lambda_c$, of a rotor whose crack is loaded as in `s`, in stages along depth and place.
     #[domain(p.disk_mass > 0.0, p.disk_diametral_inertia > 0.0, p.disk_polar_inertia > 0.0, p.disk_position_ratio > 0.0, p.shaft_length > 0.0, p.shaft_radius > 0.0, p.shaft_youngs_modulus > 0.0, p.crack_depth_ratio >= 0.0, edge_factor > 0.0)]
     #[generate(stage(p.crack_depth_ratio), stage(s.moment_of_force, s.shear_of_force, s.moment_of_couple, s.shear_of_couple))]

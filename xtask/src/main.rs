@@ -9,6 +9,7 @@
 
 mod cargo;
 mod house;
+mod instructions;
 mod peers;
 mod pictures;
 mod readers;
@@ -30,7 +31,7 @@ struct Step {
 }
 
 /// All parts, in the order in which `test` runs them.
-const STEPS: [Step; 7] = [
+const STEPS: [Step; 8] = [
     Step {
         name: "fmt",
         description: "cargo fmt --all --check",
@@ -66,6 +67,11 @@ const STEPS: [Step; 7] = [
         description: "tables of `rotor` read by pandas, polars, pyarrow, DuckDB and NumPy (needs python3)",
         run: readers::check,
     },
+    Step {
+        name: "instructions",
+        description: "counts of the main kernels' instructions as in benches/instructions.csv (needs valgrind)",
+        run: instructions::check,
+    },
 ];
 
 fn main() -> ExitCode {
@@ -76,6 +82,7 @@ fn main() -> ExitCode {
         ["test"] => run(&root, &STEPS.iter().collect::<Vec<_>>()),
         ["pictures"] => pictures::refresh(&root),
         ["pictures", "--check"] => pictures::check(&root),
+        ["instructions", "--accept"] => instructions::accept(&root),
         ["peers"] => peers::compare(&root),
         ["peers", "--quick"] => peers::quick(&root),
         ["peers", "--counts"] => peers::counts(&root),
@@ -125,7 +132,7 @@ fn help() -> String {
         String::from("cargo xtask test      all of these, in this order, until one fails\n");
     for step in &STEPS {
         text.push_str(&format!(
-            "cargo xtask {:<9} {}\n",
+            "cargo xtask {:<12} {}\n",
             step.name, step.description
         ));
     }

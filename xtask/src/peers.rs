@@ -46,7 +46,7 @@ fn timed(root: &Path, options: &[&str]) -> Outcome {
 }
 
 /// The build folder.
-fn target(root: &Path) -> PathBuf {
+pub(crate) fn target(root: &Path) -> PathBuf {
     std::env::var_os("CARGO_TARGET_DIR")
         .map_or_else(|| root.join("target"), |folder| root.join(folder))
 }
