@@ -29,7 +29,7 @@ CASES = {
     "grid_sigma_phi": GRID_TOOLS,
     "max_over_phi": ["numba", "numba-staged", "c"],
 }
-OWN_CASES = ["grid_fill", "physical_values", "physical_gradients", "widths_one_thread", "widths_two_threads"]
+OWN_CASES = ["grid_fill", "max_over_phi_whole", "physical_values", "physical_gradients", "widths_one_thread", "widths_two_threads"]
 THREADED = {"jax-threads", "rotor-threads"}
 ONE_THREAD = {name: "1" for name in ("OMP_NUM_THREADS", "NUMEXPR_NUM_THREADS", "OPENBLAS_NUM_THREADS", "NUMBA_NUM_THREADS")}
 
@@ -144,7 +144,7 @@ def main(folder, measure, quick=False):
     about["differences"] = checked(processes, folder)
     few, many = (2, 5) if quick else (5, 30)
     rounds = {case: many for case in [*CASES, *OWN_CASES]}
-    rounds |= {"grid_sigma_phi": few, "max_over_phi": few, "grid_fill": few, "widths_stream": max(few, many // 3)}
+    rounds |= {"grid_sigma_phi": few, "max_over_phi": few, "max_over_phi_whole": few, "grid_fill": few, "widths_stream": max(few, many // 3)}
     about["seconds"] = timed(processes, rounds)
     cases = [*CASES, *OWN_CASES]
     about["points"] = {case: int(processes[OURS].ask(f"points {case}")) for case in cases}

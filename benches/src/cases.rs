@@ -47,7 +47,7 @@ pub struct Case {
 pub const REPEATS: usize = 32;
 
 /// All cases.
-pub const CASES: [Case; 9] = [
+pub const CASES: [Case; 10] = [
     Case {
         name: "widths_block",
         about: "both widths from the 8 dimensionless columns, blocks of 4096 points",
@@ -89,6 +89,12 @@ pub const CASES: [Case; 9] = [
         about: "the greatest widths over the angle for each crack depth",
         points: |sizes| sizes.max_rows * sizes.max_angles,
         run: max_over_phi,
+    },
+    Case {
+        name: "max_over_phi_whole",
+        about: "the same for fifty times as many depths, 100 000 of them, which the others would take minutes for",
+        points: |sizes| DEPTHS_OF_WHOLE * sizes.max_rows * sizes.max_angles,
+        run: max_over_phi_whole,
     },
     Case {
         name: "physical_values",
@@ -319,16 +325,23 @@ impl Consumer<2> for Greatest {
     }
 }
 
+/// Depths of the whole maximum over those of the one beside other tools.
+const DEPTHS_OF_WHOLE: usize = 50;
+
 /// Angles whose tables stay in the nearest cache while the rows pass.
 const ANGLES: usize = 1024;
 
 fn max_over_phi(bench: &mut Bench) -> Outcome {
+    greatest_widths(bench, bench.sizes.max_rows)
+}
+
+fn max_over_phi_whole(bench: &mut Bench) -> Outcome {
+    greatest_widths(bench, DEPTHS_OF_WHOLE * bench.sizes.max_rows)
+}
+
+fn greatest_widths(bench: &mut Bench, max_rows: usize) -> Outcome {
     use squares_along_angle::{Along, FIXED, Points, TABLES, fixed};
-    let Sizes {
-        max_rows,
-        max_angles,
-        ..
-    } = bench.sizes;
+    let max_angles = bench.sizes.max_angles;
     bench.shaped(2, max_rows);
     let tables = tables::<Along, TABLES>(&inputs::angles(max_angles))?;
     let rows = inputs::depths(max_rows)

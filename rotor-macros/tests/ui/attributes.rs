@@ -12,6 +12,11 @@ mod formulas {
         x * x
     }
 
+    #[generate(stage, stage(z))]
+    pub fn no_stage(x: f64, y: f64) -> f64 {
+        x * y
+    }
+
     #[generate(gradient(x + 1.0))]
     pub fn by_no_name(x: f64) -> f64 {
         x * x
