@@ -27,6 +27,8 @@ fn peers() -> Counts {
             div: count("div"),
             sqrt: count("sqrt"),
             call: count("call"),
+            // No formula of the corpus chooses.
+            choice: 0,
         };
         let key = (row["formula"].clone(), row["form"].clone());
         counts

@@ -1,4 +1,5 @@
 //! Sine and cosine of packs against the standard library's, on every level of the machine.
+#![allow(clippy::unwrap_used, reason = "helpers of tests fail by panicking too")]
 
 use lanes::{ALL, EXACT_BEYOND, Kernel, Level, Pack, Simd, store};
 use proptest::prelude::*;

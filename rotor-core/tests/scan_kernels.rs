@@ -1,4 +1,5 @@
 //! Scans along every input against the quantities computed point by point.
+#![allow(clippy::unwrap_used, reason = "helpers of tests fail by panicking too")]
 
 use rotor_core::quantity::{self, Quantity};
 use rotor_core::rotor::{CrackModel, INPUTS, NumericInput, Rotor, RotorParameters};

@@ -1,4 +1,5 @@
 //! Both widths in stages: the same numbers as straight from the coefficients, the same bits on every level.
+#![allow(clippy::unwrap_used, reason = "helpers of tests fail by panicking too")]
 
 use lanes::{ALL, Kernel, Level, store};
 use proptest::prelude::*;

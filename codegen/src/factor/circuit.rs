@@ -373,7 +373,7 @@ impl Circuit {
                                 && (uses[operand.index()] == 1
                                     || terms.len() == 1 && !coefficient.abs().is_one()) =>
                         {
-                            opened.push((inner[0].0, rational::times(&inner[0].1, &coefficient)));
+                            opened.push((inner[0].0, rational::times(&inner[0].1, coefficient)));
                         }
                         _ => opened.push((image(operand), coefficient.clone())),
                     }

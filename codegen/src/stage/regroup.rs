@@ -39,6 +39,9 @@ pub fn by_stage(circuit: &Circuit, inner: &BTreeSet<SymbolId>) -> Circuit {
 /// Operands with their powers, negative where they divide.
 type Powers = Vec<(Net, i32)>;
 
+/// Operands with what they are raised to.
+type Raised = Vec<(Net, u32)>;
+
 /// A product taken apart by what its factors depend on.
 struct Factors {
     coefficient: Rational,
@@ -326,7 +329,7 @@ impl Regrouping<'_> {
     }
 
     /// The images with positive powers, and those with negative ones.
-    fn both_signs(&self, powers: &Powers) -> (Vec<(Net, u32)>, Vec<(Net, u32)>) {
+    fn both_signs(&self, powers: &Powers) -> (Raised, Raised) {
         let image = |(net, power): (Net, i32)| (self.images[net.index()], power.unsigned_abs());
         let (positive, negative): (Powers, Powers) =
             powers.iter().partition(|(_, power)| *power > 0);

@@ -111,7 +111,7 @@ impl Widths {
         }
         match self.stages {
             Stages::Angle | Stages::Asymmetry | Stages::Inertias => {
-                self.from_coefficients(&rotor, row, values, results)
+                self.along_coefficients(&rotor, row, values, results)
             }
             Stages::Depth => {
                 use widths::along_crack_depth_ratio::{FIXED, Points, TABLES, fixed};
@@ -172,7 +172,7 @@ impl Widths {
         self.open.contains(&true)
     }
 
-    fn from_coefficients(
+    fn along_coefficients(
         &mut self,
         rotor: &Rotor,
         row: &RotorParameters,
