@@ -45,10 +45,7 @@ fn total(cost: &Cost) -> usize {
 }
 
 /// Where another tool's code has fewer, with both counts: by weight, in total. Everything else is at least as good here.
-const SHORT: [&str; 3] = [
-    // A root of a quotient becomes a root over a size here, which shares it with the partials; SymPy keeps it, and divides
-    // once less for it. In total it has six operations more.
-    "sir_start gradient: 89, 43; sympy 88, 49",
+const SHORT: [&str; 2] = [
     // The doubled products of the attitude are doubled after they are subtracted here; SymPy doubles one factor before, which
     // other partials need doubled too, and so has one product less.
     "quaternion_rotation gradient: 86, 86; sympy 85, 85",

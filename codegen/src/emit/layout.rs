@@ -54,6 +54,12 @@ pub(super) fn as_rustfmt(text: &str) -> String {
                 &format!("{line}{}{end}", elements.trim_end_matches(',')),
                 &mut output,
             );
+        } else if line.trim_start().starts_with("let ") && line.ends_with('(') {
+            let rest: Vec<&str> = lines
+                .by_ref()
+                .take_while_inclusive(|inner| indent_of(inner) > indent_of(line))
+                .collect();
+            call(line, &rest, &mut output);
         } else if let Some(value) = open_binding(line) {
             let rest: Vec<&str> = lines
                 .by_ref()
@@ -114,6 +120,22 @@ fn binding(line: &str, value: &str, rest: &[&str], output: &mut String) {
     } else if below.chars().count() <= LINE {
         push(head.trim_end(), output);
         push(&below, output);
+    } else {
+        push(line, output);
+        rest.iter().for_each(|line| push(line, output));
+    }
+}
+
+/// A call's arguments on its own line, if they fit.
+fn call(line: &str, rest: &[&str], output: &mut String) {
+    let words: Vec<&str> = rest.iter().map(|line| line.trim()).collect();
+    let (end, arguments) = words
+        .split_last()
+        .map_or(("", &[][..]), |(end, inner)| (*end, inner));
+    let arguments = arguments.join(" ");
+    let on_one = format!("{line}{}{end}", arguments.trim_end_matches(','));
+    if on_one.chars().count() <= LINE {
+        push(&on_one, output);
     } else {
         push(line, output);
         rest.iter().for_each(|line| push(line, output));
