@@ -44,10 +44,8 @@ pub(super) fn as_rustfmt(text: &str) -> String {
                 &mut output,
             );
         } else if line.trim_start().starts_with("let ") && line.ends_with(" = [") {
-            let rest = lines
-                .by_ref()
-                .take_while_inclusive(|line| !line.trim_start().starts_with(']'));
-            let elements: Vec<&str> = rest.map(str::trim).collect();
+            let rest = block(line, &mut lines);
+            let elements: Vec<&str> = rest.into_iter().map(str::trim).collect();
             let (end, elements) = elements.split_last().unwrap_or((&"];", &[]));
             let elements = elements.join(" ");
             broken(
@@ -55,11 +53,7 @@ pub(super) fn as_rustfmt(text: &str) -> String {
                 &mut output,
             );
         } else if line.trim_start().starts_with("let ") && line.ends_with('(') {
-            let rest: Vec<&str> = lines
-                .by_ref()
-                .take_while_inclusive(|inner| indent_of(inner) > indent_of(line))
-                .collect();
-            call(line, &rest, &mut output);
+            call(line, &block(line, &mut lines), &mut output);
         } else if let Some(value) = open_binding(line) {
             let rest: Vec<&str> = lines
                 .by_ref()
@@ -67,11 +61,7 @@ pub(super) fn as_rustfmt(text: &str) -> String {
                 .collect();
             binding(line, value, &rest, &mut output);
         } else if line.trim_start().strip_suffix(" {").is_some_and(is_path) {
-            let rest: Vec<&str> = lines
-                .by_ref()
-                .take_while_inclusive(|inner| indent_of(inner) > indent_of(line))
-                .collect();
-            fields(line, &rest, &mut output);
+            fields(line, &block(line, &mut lines), &mut output);
         } else if let Some(lines) = choice(line) {
             lines.iter().for_each(|line| push(line, &mut output));
         } else {
@@ -79,6 +69,14 @@ pub(super) fn as_rustfmt(text: &str) -> String {
         }
     }
     output
+}
+
+/// The lines that belong to one that is open, its end included.
+fn block<'t>(line: &str, lines: &mut std::str::Lines<'t>) -> Vec<&'t str> {
+    lines
+        .by_ref()
+        .take_while_inclusive(|inner| indent_of(inner) > indent_of(line))
+        .collect()
 }
 
 /// A binding of `if a { x } else { y }` over the lines that it takes where it is wide.
