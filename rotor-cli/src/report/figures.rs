@@ -445,8 +445,9 @@ mod tests {
 
     #[test]
     fn the_upper_simple_region_has_its_figures() {
+        // From β = 1 − Δ_d = 0.8 on, the region has no upper end at any speed that means something.
         let slender = Rotor::default()
-            .with(|p| p.disk_polar_inertia = 0.8 * p.disk_diametral_inertia)
+            .with(|p| p.disk_polar_inertia = 0.75 * p.disk_diametral_inertia)
             .unwrap();
         let figures = drawn(slender);
         let names: Vec<_> = figures[9..]
