@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 
 use num_traits::{One, Pow, Signed};
 
-use super::{Stage, stages};
+use super::{Stage, split, stages};
 use crate::factor::circuit::{Circuit, Net, Operation};
 use crate::graph::{Rational, SymbolId};
 
@@ -96,22 +96,7 @@ impl Regrouping<'_> {
                 let factors: Vec<_> = factors.collect();
                 return self.new.product(factors);
             }
-            Operation::Quotient(numerator, denominator) => {
-                Operation::Quotient(image(numerator), image(denominator))
-            }
-            Operation::Apply(function, operands) => {
-                Operation::Apply(*function, operands.iter().map(image).collect())
-            }
-            Operation::Tabulated {
-                table,
-                order,
-                argument,
-            } => Operation::Tabulated {
-                table: *table,
-                order: *order,
-                argument: image(argument),
-            },
-            leaf @ (Operation::Number(_) | Operation::Symbol(_)) => leaf.clone(),
+            operation => split::on_images(operation, |net| self.images[net.index()]),
         };
         self.new.push(operation)
     }
