@@ -186,7 +186,7 @@ mod formulas {
     }
 
     /// Crack compliance, Eq. (8). `edge_factor` is 32 where one half of the edge opens, 64 where both do (E6).
-    #[generate(value)]
+    #[generate(value, columns)]
     pub fn crack_compliance(p: &RotorParameters, edge_factor: f64) -> CrackCompliance {
         let plane_strain = (1.0 - p.shaft_poissons_ratio.powi(2))
             / (std::f64::consts::PI * p.shaft_youngs_modulus * p.shaft_radius);
@@ -297,7 +297,7 @@ mod formulas {
     /// Stiffness of the cracked shaft, Eq. (10).
     ///
     /// As $A_1^{-1} - A_2^{-1} = A_1^{-1}(A_2 - A_1)A_2^{-1}$ with the crack's own $A_2 - A_1$, a shallow one keeps all digits.
-    #[generate(value)]
+    #[generate(value, columns)]
     pub fn stiffness(p: &RotorParameters, s: &SectionLoads, edge_factor: f64) -> Stiffness {
         let f = shaft_flexibility(p);
         let c = crack_compliance(p, edge_factor);
@@ -334,13 +334,13 @@ mod formulas {
     }
 
     /// Reference speed $\omega_{st} = \sqrt{k_{tt}/m_d}$, rad/s.
-    #[generate(value)]
+    #[generate(value, columns)]
     pub fn reference_speed(p: &RotorParameters, k: &Stiffness) -> f64 {
         (k.k_tt / p.disk_mass).sqrt()
     }
 
     /// The dimensionless numbers of Eq. (12).
-    #[generate(value)]
+    #[generate(value, columns)]
     pub fn coefficients(p: &RotorParameters, k: &Stiffness) -> Coefficients {
         Coefficients {
             beta: p.disk_polar_inertia / p.disk_diametral_inertia,
@@ -466,7 +466,7 @@ mod formulas {
     }
 
     /// Start $\Omega_s$ of the simple region, where $\omega_2 = \Omega$, Eq. (15).
-    #[generate(value)]
+    #[generate(value, columns)]
     pub fn sir_start(c: &Coefficients) -> f64 {
         sir_start_squared(c).sqrt()
     }
@@ -484,7 +484,7 @@ mod formulas {
     }
 
     /// Start $\Omega_c$ of the combination region, where $\omega_1 + \omega_2 = 2\Omega$, Eq. (16); for $\beta < 2$.
-    #[generate(value)]
+    #[generate(value, columns)]
     pub fn cir_start(c: &Coefficients) -> f64 {
         let slack = 2.0 - c.beta;
         let sum = c.beta.powi(2) + 4.0 * slack * (1.0 + c.delta) + (4.0 - c.beta) * cir_root(c);
@@ -638,7 +638,7 @@ mod formulas {
     }
 
     /// The disk asymmetry that closes the simple region at $\phi = \pi/2$, Eq. (32).
-    #[generate(value)]
+    #[generate(value, columns)]
     pub fn sir_zup_asymmetry(c: &Coefficients) -> f64 {
         closing_asymmetry(sir_start(c), c)
     }
@@ -650,7 +650,7 @@ mod formulas {
     }
 
     /// The disk asymmetry that closes the combination region at $\phi = 0$, Eq. (32), as in [`cir_strength()`].
-    #[generate(value)]
+    #[generate(value, columns)]
     pub fn cir_zup_asymmetry(c: &Coefficients) -> f64 {
         let speed = cir_start(c);
         let omega = cir_omega(c);

@@ -16,6 +16,7 @@
 //! | [`stability`] | the exact quartic, Hill's determinant and the monodromy matrix |
 //! | [`quantity`] | every result by its name |
 //! | [`scan`] | quantities over grids and samples of rotors |
+//! | [`table`] | quantities of rotors that are given, a row each |
 //! | [`corrections`] | E1 to E13: what differs from the printed text, and why |
 //!
 //! ```
@@ -30,12 +31,14 @@
 #[doc = include_str!("corrections.md")]
 pub mod corrections {}
 pub mod equations;
+mod kernel;
 pub mod quantity;
 pub mod region;
 mod roots;
 pub mod rotor;
 pub mod scan;
 pub mod stability;
+pub mod table;
 pub mod zero_unstable_point;
 
 /// The examples of README.md, compiled and run as documentation tests.

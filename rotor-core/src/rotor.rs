@@ -341,13 +341,6 @@ pub(crate) enum LoadCase {
 }
 
 impl LoadCase {
-    pub(crate) const ALL: [Self; 4] = [
-        Self::SupportArm,
-        Self::MidspanArm,
-        Self::SimplySupportedLeft,
-        Self::SimplySupportedRight,
-    ];
-
     /// The one for a rotor's crack.
     pub(crate) fn of(p: &RotorParameters) -> Self {
         match p.crack_model {

@@ -33,7 +33,6 @@
 mod axis;
 mod chunk;
 mod error;
-mod kernel;
 mod reduce;
 mod run;
 mod sample;

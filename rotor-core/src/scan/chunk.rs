@@ -1,11 +1,11 @@
 //! Chunks: consecutive points of a scan with their results.
 
+use crate::kernel::{Kernel, POINTS_PER_BLOCK};
 use crate::quantity::Quantity;
 use crate::rotor::RotorParameters;
 
 use super::Plan;
 use super::axis::Axis;
-use super::kernel::{Kernel, POINTS_PER_BLOCK};
 use super::space::Space;
 
 /// The points of a chunk; the last one of a scan may have fewer.
@@ -166,7 +166,7 @@ pub(super) fn evaluate_blocks(
     let (outer, inner) = plan.space.outer_and_inner()?;
     let (mut point, length) = extent(plan, number);
     let end = point + length;
-    let mut kernel = Kernel::new(inner, &plan.quantities);
+    let mut kernel = Kernel::new(inner.inputs(), &plan.quantities);
     let mut entered = None;
     let mut buffers = vec![vec![f64::NAN; POINTS_PER_BLOCK]; plan.quantities.len()];
     let mut counts = Counts::none(plan.quantities.len());
@@ -182,7 +182,9 @@ pub(super) fn evaluate_blocks(
             .min(end - point);
         let taken_here = to_usize(taken);
         if entered != Some((along, taken)) {
-            kernel.enter(inner, along, taken_here);
+            kernel.enter(taken_here, |column, values| {
+                inner.fill(column, along, values)
+            });
             entered = Some((along, taken));
         }
         let mut results: Vec<&mut [f64]> = buffers

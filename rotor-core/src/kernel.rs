@@ -1,0 +1,189 @@
+//! The one place where many rotors are evaluated: the points of a scan, the rows of a table.
+//!
+//! A kernel belongs to the inputs that vary within a block and a list of quantities. [`Kernel::enter`] is called once for
+//! each block, for what depends on its values alone; [`Kernel::evaluate`] once for each row, which is the block with
+//! other values of the remaining inputs.
+//!
+//! Both come from generated code in packs: where only widths are asked for, in stages along what varies ([`widths`]); all
+//! quantities of closed form by their columns ([`closed_forms`]). Whatever they leave open is computed point by point: exact
+//! ends, points at which a region may not exist, and inputs far from those of any machine.
+
+mod closed_forms;
+mod widths;
+
+use crate::quantity::{self, Quantity};
+use crate::rotor::{NumericInput, Rotor, RotorParameters};
+
+use closed_forms::{ClosedForms, Points, is_closed};
+use widths::Widths;
+
+/// The most points of a block.
+pub(crate) const POINTS_PER_BLOCK: usize = 4096;
+
+/// Evaluates quantities of blocks of rotors.
+pub(crate) struct Kernel<'a> {
+    quantities: &'a [Quantity],
+    /// Those that are found by iteration.
+    open: Vec<Quantity>,
+    /// Where only widths are asked for: those of the simple and of the combination region by their places among the
+    /// quantities, and how they are computed.
+    staged: Option<([Option<usize>; 2], Widths)>,
+    closed_forms: ClosedForms,
+    inputs: Vec<&'static NumericInput>,
+    /// The block's values, one list for each input.
+    values: Vec<Vec<f64>>,
+    /// The points of plain values.
+    plain: Vec<bool>,
+    /// Of a row's points those whose closed forms are known.
+    known: Vec<bool>,
+}
+
+impl<'a> Kernel<'a> {
+    /// A kernel for the inputs that vary within a block.
+    pub(crate) fn new(
+        inputs: impl IntoIterator<Item = &'static NumericInput>,
+        quantities: &'a [Quantity],
+    ) -> Self {
+        let inputs: Vec<_> = inputs.into_iter().collect();
+        let place = |wanted| quantities.iter().position(|quantity| *quantity == wanted);
+        let places = [Quantity::SirWidth, Quantity::CirWidth].map(place);
+        let only_widths = places.iter().flatten().count() == quantities.len();
+        let staged = Widths::along(&inputs).filter(|_| only_widths);
+        let open = quantities.iter().filter(|quantity| !is_closed(**quantity));
+        Self {
+            quantities,
+            open: open.copied().collect(),
+            staged: staged.map(|widths| (places, widths)),
+            closed_forms: ClosedForms::of(quantities),
+            values: vec![Vec::new(); inputs.len()],
+            inputs,
+            plain: Vec::new(),
+            known: Vec::new(),
+        }
+    }
+
+    /// Takes a block of `length` points, at most [`POINTS_PER_BLOCK`]; `fill` writes the values of the input of each number.
+    pub(crate) fn enter(&mut self, length: usize, fill: impl Fn(usize, &mut [f64])) {
+        self.plain.clear();
+        self.plain.resize(length, true);
+        let lists = self.values.iter_mut().zip(&self.inputs);
+        for (number, (values, input)) in lists.enumerate() {
+            values.resize(length, f64::NAN);
+            fill(number, values);
+            for (plain, value) in self.plain.iter_mut().zip(&*values) {
+                *plain &= is_plain(input, *value);
+            }
+        }
+        if let Some((_, widths)) = &mut self.staged {
+            widths.enter(&self.values);
+        }
+    }
+
+    /// Evaluates the block for the rotors that have the inputs `row` but for those that vary, which need not be valid.
+    /// `results` has for each quantity a slice of the block's length.
+    ///
+    /// Within these slices, and nowhere else, NaN means that the point has no such quantity.
+    /// Answers how many points are no rotor.
+    pub(crate) fn evaluate(&mut self, row: &RotorParameters, results: &mut [&mut [f64]]) -> u64 {
+        self.known.clone_from(&self.plain);
+        let fixed = crate::rotor::INPUTS.iter().filter(|input| {
+            let varied = self.inputs.iter().any(|varied| varied.name == input.name);
+            !varied
+        });
+        let points = Points {
+            row,
+            varied: &self.inputs,
+            values: &self.values,
+        };
+        if !fixed
+            .into_iter()
+            .all(|input| is_plain(input, (input.get)(row)))
+        {
+            self.known.fill(false);
+        } else if let Some((places, widths)) = &mut self.staged {
+            widths.evaluate(points, widths_of(*places, results), &mut self.known);
+            for place in places.iter().flatten() {
+                for (known, width) in self.known.iter_mut().zip(&*results[*place]) {
+                    // A zero may be the width of a closed region, or what is left of a smaller number.
+                    *known &= is_size(*width);
+                }
+            }
+        } else {
+            let (quantities, known) = (self.quantities, &mut self.known);
+            self.closed_forms
+                .evaluate(points, quantities, results, known);
+        }
+        if self.open.is_empty() && self.known.iter().all(|known| *known) {
+            return 0;
+        }
+        let mut no_rotor = 0;
+        for point in 0..self.known.len() {
+            if !(self.known[point] && self.open.is_empty()) {
+                no_rotor += u64::from(!self.point(row, point, results));
+            }
+        }
+        no_rotor
+    }
+
+    /// Evaluates what is not known at one point; whether it is a rotor.
+    fn point(&self, row: &RotorParameters, point: usize, results: &mut [&mut [f64]]) -> bool {
+        let mut parameters = *row;
+        for (input, values) in self.inputs.iter().zip(&self.values) {
+            (input.set)(&mut parameters, values[point]);
+        }
+        let Ok(rotor) = Rotor::new(parameters) else {
+            for result in results.iter_mut() {
+                result[point] = f64::NAN;
+            }
+            return false;
+        };
+        let unknown = if self.known[point] {
+            self.open.as_slice()
+        } else {
+            self.quantities
+        };
+        let values = quantity::evaluate(unknown, &rotor);
+        for (quantity, value) in unknown.iter().zip(values) {
+            let places = self.quantities.iter().zip(results.iter_mut());
+            for (_, result) in places.filter(|(asked, _)| *asked == quantity) {
+                // A zero has no sign.
+                result[point] = value.as_ref().map_or(f64::NAN, |value| value + 0.0);
+            }
+        }
+        true
+    }
+}
+
+/// The slices of the widths of the simple and of the combination region, where they are asked for.
+fn widths_of<'a>(
+    places: [Option<usize>; 2],
+    results: &'a mut [&mut [f64]],
+) -> [Option<&'a mut [f64]>; 2] {
+    let mut wanted = [None, None];
+    for (place, result) in results.iter_mut().enumerate() {
+        if let Some(width) = places.iter().position(|known| *known == Some(place)) {
+            wanted[width] = Some(&mut **result);
+        }
+    }
+    wanted
+}
+
+/// Whether a number is positive, with all its digits.
+fn is_size(value: f64) -> bool {
+    (f64::MIN_POSITIVE..=f64::MAX).contains(&value)
+}
+
+/// Whether an input is allowed, and of a size with which nothing leaves the range of numbers on the way to a quantity: from
+/// a tenth of a millimetre, or a gramme in a billion, to a thousand times what there is.
+fn is_plain(input: &NumericInput, value: f64) -> bool {
+    const LARGEST: f64 = 1e12;
+    let size = value.abs();
+    input.allowed.contains(value)
+        && match input.name {
+            "crack_angle" | "shaft_poissons_ratio" => true,
+            "crack_depth_ratio" | "disk_asymmetry" => size == 0.0 || size > 1e-9,
+            "disk_position_ratio" | "crack_position_ratio" => size > 1e-4 && size < 1.0 - 1e-4,
+            name if widths::INERTIA.contains(&name) => size > 1e-12 && size < LARGEST,
+            _ => size > 1e-4 && size < LARGEST,
+        }
+}
