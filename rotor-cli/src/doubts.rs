@@ -3,7 +3,7 @@
 
 use std::f64::consts::TAU;
 
-use rotor_core::rotor::Rotor;
+use rotor_core::rotor::{Rotor, RotorParameters};
 
 use crate::table::shortest;
 
@@ -46,6 +46,14 @@ pub(crate) fn doubts(rotor: &Rotor) -> Vec<String> {
         .collect()
 }
 
+/// Whether there would be a doubt about the rotor of these inputs.
+pub(crate) fn is_doubtful(p: &RotorParameters) -> bool {
+    p.exceeds_rigid_body()
+        || p.crack_angle.abs() > TAU
+        || p.shaft_length > LONGEST_SHAFT
+        || p.shaft_radius > THICKEST_SHAFT
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -53,9 +61,11 @@ mod tests {
     #[test]
     fn other_units_are_suspected_and_the_papers_rotor_is_not() {
         assert_eq!(doubts(&Rotor::default()), Vec::<String>::new());
+        assert!(!is_doubtful(&RotorParameters::PAPER));
         let other = Rotor::default()
             .with(|p| (p.crack_angle, p.shaft_length, p.shaft_radius) = (-90.0, 504.5, 11.88))
             .unwrap();
+        assert!(is_doubtful(other.parameters()));
         assert_eq!(
             doubts(&other),
             [
@@ -64,5 +74,21 @@ mod tests {
                 "shaft_radius is 11.88 m; is it in millimetres?",
             ]
         );
+    }
+
+    #[test]
+    fn whoever_has_a_doubt_is_doubtful() {
+        let changes: [fn(&mut RotorParameters); 5] = [
+            |_| (),
+            |p| p.crack_angle = 7.0,
+            |p| p.shaft_length = 101.0,
+            |p| p.shaft_radius = 2.5,
+            |p| p.disk_asymmetry = -0.9,
+        ];
+        for change in changes {
+            let rotor = Rotor::default().with(change).unwrap();
+            let doubtful = is_doubtful(rotor.parameters());
+            assert_eq!(doubtful, !doubts(&rotor).is_empty());
+        }
     }
 }

@@ -1,6 +1,7 @@
 //! `rotor evaluate`: results for each rotor of a table.
 
 mod columns;
+mod inputs;
 mod results;
 mod source;
 mod table;
@@ -10,17 +11,19 @@ use std::path::Path;
 use rayon::prelude::*;
 use rotor_core::quantity::{self, Quantity, Reason};
 use rotor_core::rotor::{Rotor, RotorParameters};
+use rotor_core::table::TableError;
 
 use crate::command_line::EvaluateArguments;
-use crate::doubts::doubts;
+use crate::doubts::{doubts, is_doubtful};
 use crate::failure::{Failure, Outcome};
 use crate::output;
 use crate::reasons;
 use crate::rotor_file;
 use crate::shown::brief;
 use columns::{Columns, ERROR};
+use inputs::Inputs;
 use results::Results;
-use source::{Read, Source};
+use source::{Piece, Read, Source};
 
 /// The names of all results.
 pub(crate) fn result_names() -> Vec<&'static str> {
@@ -156,64 +159,144 @@ struct Doubtful {
     first: (u64, String),
 }
 
+/// What comes of some rows.
+struct Answers {
+    /// For each quantity a column, NaN where there is none.
+    values: Vec<Vec<f64>>,
+    /// The rows that lack a result or are no rotor, with the reasons.
+    errors: Vec<(usize, String)>,
+    /// The rows that are no rotor.
+    no_rotors: Vec<usize>,
+    /// How many rows are doubtful, and the first.
+    doubtful: (u64, Option<usize>),
+}
+
 /// What comes of a row that is a rotor.
 struct Evaluated {
     /// The results, none where there is none.
     values: Vec<Option<f64>>,
     /// The reasons for those.
     error: String,
-    warning: Option<String>,
 }
 
 impl Evaluation {
     /// Evaluates and writes piece after piece; how many rows there were.
     fn all(&mut self, source: &mut Source, results: &mut Results) -> Result<u64, Failure> {
         let mut count = 0;
-        loop {
-            let piece = source
-                .next_piece(self.keep_going)
-                .map_err(|error| Failure::input(format!("{}: {error}", self.name)))?;
-            if piece.rows.is_empty() {
-                return Ok(count);
+        let mut pieces = self.read(source)?;
+        while !pieces.is_empty() {
+            let encoding = results.encoding();
+            let work = |piece: &Piece| {
+                let answers = self.evaluate(piece).map_err(|error| error.to_string());
+                let answers = answers.map_err(Failure::input)?;
+                // Rows that end it all are not written.
+                let ends = !(self.keep_going || answers.no_rotors.is_empty());
+                let encoded = (!ends).then(|| encoding.encode(&self.columns, piece, &answers));
+                Ok((answers, encoded.transpose()?))
+            };
+            // The next pieces are read while these are evaluated.
+            let (done, next) = rayon::join(
+                || pieces.par_iter().map(work).collect::<Vec<_>>(),
+                || self.read(source),
+            );
+            for (piece, answers) in pieces.iter().zip(done) {
+                let (answers, encoded): (Answers, _) = answers?;
+                self.take(piece, &answers)?;
+                results.add(encoded.unwrap_or_default())?;
+                count += piece.len() as u64;
             }
-            let evaluated: Vec<_> = piece.rows.par_iter().map(|row| self.row(row)).collect();
-            let mut outcomes = Vec::with_capacity(evaluated.len());
-            for (Read { row, .. }, outcome) in piece.rows.iter().zip(evaluated) {
-                count += 1;
-                outcomes.push(match outcome {
-                    Ok(outcome) => {
-                        self.doubt(row.line, outcome.warning);
-                        (outcome.values, outcome.error)
-                    }
-                    Err(why) if self.keep_going => {
-                        self.failed += 1;
-                        (vec![None; self.quantities.len()], why)
-                    }
-                    Err(why) => {
-                        let text = format!(
-                            "{}: {} {}: {why}; no results are written",
-                            self.name, self.unit, row.line
-                        );
-                        return Err(Failure::input(text));
-                    }
-                });
-            }
-            results.write(&self.columns, &piece, &outcomes)?;
+            pieces = next?;
         }
+        Ok(count)
     }
 
-    /// Counts a row with a warning.
-    fn doubt(&mut self, line: u64, warning: Option<String>) {
-        match (warning, &mut self.doubtful) {
-            (Some(_), Some(doubtful)) => doubtful.rows += 1,
-            (Some(warning), None) => {
-                self.doubtful = Some(Doubtful {
-                    rows: 1,
-                    first: (line, warning),
-                });
+    /// Reads as many pieces as are evaluated together.
+    fn read(&self, source: &mut Source) -> Result<Vec<Piece>, Failure> {
+        let most = 2 * rayon::current_num_threads();
+        let pieces = (0..most).map_while(|_| source.next_piece(self.keep_going).transpose());
+        let pieces: Result<Vec<_>, _> = pieces.collect();
+        pieces.map_err(|error| Failure::input(format!("{}: {error}", self.name)))
+    }
+
+    /// Evaluates a piece: in packs, and the rows that lack a result once more, for the reason.
+    fn evaluate(&self, piece: &Piece) -> Result<Answers, TableError> {
+        let inputs = Inputs::of(piece, &self.columns, &self.base);
+        let mut values = inputs.evaluate(&self.quantities)?;
+        let mut answers = Answers {
+            values: Vec::new(),
+            errors: Vec::new(),
+            no_rotors: Vec::new(),
+            doubtful: (0, None),
+        };
+        for row in 0..inputs.len() {
+            if self.lacks_any(&values, row) {
+                let error = match self.row(&piece.read(row)) {
+                    Ok(evaluated) => {
+                        for (column, value) in values.iter_mut().zip(evaluated.values) {
+                            column[row] = value.unwrap_or(f64::NAN);
+                        }
+                        evaluated.error
+                    }
+                    Err(why) => {
+                        answers.no_rotors.push(row);
+                        why
+                    }
+                };
+                answers.errors.push((row, error));
             }
-            (None, _) => {}
+            if is_doubtful(&inputs.parameters(row)) && answers.no_rotors.last() != Some(&row) {
+                answers.doubtful.0 += 1;
+                answers.doubtful.1.get_or_insert(row);
+            }
         }
+        answers.values = values;
+        Ok(answers)
+    }
+
+    /// Whether a result is missing in a row, or may be all that is left of a number too small for double precision.
+    fn lacks_any(&self, values: &[Vec<f64>], row: usize) -> bool {
+        let mut results = self.quantities.iter().zip(values);
+        results.any(|(quantity, column)| {
+            let value = column[row];
+            value.is_nan() || (value == 0.0 && reasons::region_of(*quantity).is_some())
+        })
+    }
+
+    /// Takes notice of what came of a piece.
+    ///
+    /// # Errors
+    ///
+    /// Where a row is no rotor, and that is to be the end.
+    fn take(&mut self, piece: &Piece, answers: &Answers) -> Result<(), Failure> {
+        if let Some(row) = answers.no_rotors.first()
+            && !self.keep_going
+        {
+            let why = answers.errors.iter().find(|(of, _)| of == row);
+            let why = why.map_or("", |(_, why)| why);
+            return Err(Failure::input(format!(
+                "{}: {} {}: {why}; no results are written",
+                self.name,
+                self.unit,
+                piece.read(*row).row.line
+            )));
+        }
+        self.failed += answers.no_rotors.len() as u64;
+        let (rows, Some(first)) = answers.doubtful else {
+            return Ok(());
+        };
+        if let Some(doubtful) = &mut self.doubtful {
+            doubtful.rows += rows;
+            return Ok(());
+        }
+        let read = piece.read(first);
+        let parameters = self.columns.parameters(&read.row, &self.base);
+        let rotor = parameters.ok().and_then(|p| Rotor::new(p).ok());
+        let warning = rotor.and_then(|rotor| doubts(&rotor).into_iter().next());
+        self.doubtful = warning.map(|warning| Doubtful {
+            rows,
+            first: (read.row.line, warning),
+        });
+        Ok(())
     }
 
     /// The results of a row, or why it is no rotor.
@@ -244,7 +327,6 @@ impl Evaluation {
         Ok(Evaluated {
             values,
             error: reasons.join("; "),
-            warning: doubts(&rotor).into_iter().next(),
         })
     }
 

@@ -68,6 +68,11 @@ impl RotorParameters {
         crack_model: CrackModel::SupportArm,
         crack_edge: CrackEdge::Half,
     };
+
+    /// Whether the moments of inertia are those of no rigid body: $2|\Delta_d| > \beta$ breaks the triangle inequality.
+    pub fn exceeds_rigid_body(&self) -> bool {
+        2.0 * self.disk_asymmetry.abs() > inertia_ratio(self)
+    }
 }
 
 /// Why inputs describe no rotor.
@@ -198,13 +203,11 @@ impl Rotor {
 
     /// What is doubtful about the rotor, though it can be computed.
     pub fn warnings(&self) -> Vec<Warning> {
-        let beta = inertia_ratio(&self.parameters);
-        let disk_asymmetry = self.parameters.disk_asymmetry;
         let mut warnings = Vec::new();
-        if 2.0 * disk_asymmetry.abs() > beta {
+        if self.parameters.exceeds_rigid_body() {
             warnings.push(Warning::TriangleInequality {
-                disk_asymmetry,
-                beta,
+                disk_asymmetry: self.parameters.disk_asymmetry,
+                beta: inertia_ratio(&self.parameters),
             });
         }
         warnings

@@ -155,13 +155,26 @@ impl Columns {
         (0..self.width).filter(|&index| self.kept[index])
     }
 
+    /// The columns that give numbers, with the inputs that these are.
+    pub(crate) fn numbers(&self) -> impl Iterator<Item = (usize, &'static NumericInput)> {
+        self.inputs.iter().filter_map(|column| match column.input {
+            Input::Number(input) => Some((column.index, input)),
+            Input::Choice(_) => None,
+        })
+    }
+
+    /// The columns that give choices, with the names of the inputs.
+    pub(crate) fn choices(&self) -> impl Iterator<Item = (usize, &'static str)> {
+        self.inputs.iter().filter_map(|column| match column.input {
+            Input::Number(_) => None,
+            Input::Choice(name) => Some((column.index, name)),
+        })
+    }
+
     /// The numeric input that a column gives.
     pub(crate) fn number(&self, index: usize) -> Option<&'static NumericInput> {
-        let column = self.inputs.iter().find(|column| column.index == index)?;
-        match column.input {
-            Input::Number(input) => Some(input),
-            Input::Choice(_) => None,
-        }
+        let mut numbers = self.numbers();
+        numbers.find(|(of, _)| *of == index).map(|(_, input)| input)
     }
 
     /// The rotor that a row describes; inputs without a column are the base rotor's.
@@ -262,6 +275,14 @@ fn remark_on(carried: &[String]) -> Option<String> {
 
 /// Reads a number and holds it against what the input allows.
 fn number(input: &NumericInput, cell: &str) -> Result<f64, String> {
+    // `nan`, `inf` and `infinity` would be read as floats.
+    let has_letters = cell
+        .chars()
+        .any(|letter| letter.is_alphabetic() && !matches!(letter, 'e' | 'E'));
+    let read = cell.parse::<f64>().ok().filter(|_| !has_letters);
+    if let Some(value) = read.filter(|value| input.allowed.contains(*value)) {
+        return Ok(value);
+    }
     let text = brief(cell);
     let wants = match input.allowed.to_string().as_str() {
         "finite" => "a finite number is wanted".to_owned(),
@@ -270,28 +291,16 @@ fn number(input: &NumericInput, cell: &str) -> Result<f64, String> {
     if text.is_empty() {
         return Err(format!("the cell is empty, {wants}"));
     }
-    // `nan`, `inf` and `infinity` would be read as floats.
-    let has_letters = cell
-        .chars()
-        .any(|letter| letter.is_alphabetic() && !matches!(letter, 'e' | 'E'));
-    let value: f64 = match cell.parse() {
-        Ok(value) if !has_letters => value,
-        _ if cell.contains(',') => {
-            return Err(format!(
-                "\"{text}\" is no number (write a point, not a comma), {wants}"
-            ));
+    Err(match read {
+        Some(value) if value.is_finite() => format!("\"{text}\" is not allowed, {wants}"),
+        Some(_) => {
+            format!("\"{text}\" is too large for a number in double precision, {wants}")
         }
-        _ => return Err(format!("\"{text}\" is no number, {wants}")),
-    };
-    if !value.is_finite() {
-        return Err(format!(
-            "\"{text}\" is too large for a number in double precision, {wants}"
-        ));
-    }
-    if !input.allowed.contains(value) {
-        return Err(format!("\"{text}\" is not allowed, {wants}"));
-    }
-    Ok(value)
+        None if cell.contains(',') => {
+            format!("\"{text}\" is no number (write a point, not a comma), {wants}")
+        }
+        None => format!("\"{text}\" is no number, {wants}"),
+    })
 }
 
 /// What separates a header that is one field, if its parts are inputs.

@@ -9,23 +9,25 @@ use arrow_schema::{DataType, Field, SchemaRef};
 use csv::ByteRecord;
 use rotor_core::quantity::Quantity;
 
+use super::Answers;
 use super::columns::{Columns, ERROR};
-use super::source::{Piece, Read, text};
+use super::source::{Piece, text};
 use crate::failure::Failure;
 use crate::files::{Assembler, Format, Layout, number_field, schema};
 use crate::output::Destination;
 
-/// What comes of a row: the results, none where there is none, and the reasons for those.
-pub(super) type Outcome = (Vec<Option<f64>>, String);
+/// How rows become bytes.
+pub(super) enum Encoding {
+    Csv,
+    Columns(Layout),
+}
 
 /// A table that is written.
-pub(super) enum Results {
-    Csv(Box<csv::Writer<Destination>>),
-    Columns {
-        layout: Layout,
-        assembler: Assembler<Destination>,
-        name: String,
-    },
+pub(super) struct Results {
+    encoding: Encoding,
+    assembler: Assembler<Destination>,
+    /// As messages call it.
+    name: String,
 }
 
 impl Results {
@@ -43,12 +45,16 @@ impl Results {
         let format = match Format::of(path) {
             // As ever, a file of another name is CSV.
             Err(_) | Ok(Format::Csv) => {
-                let mut writer = csv::Writer::from_writer(Destination::open(path)?);
                 let mut titles: ByteRecord = columns.carried(header).collect();
                 titles.extend(quantities.iter().map(|quantity| quantity.name()));
                 titles.push_field(ERROR.as_bytes());
-                write(&mut writer, &titles)?;
-                return Ok(Self::Csv(Box::new(writer)));
+                let mut results = Self {
+                    encoding: Encoding::Csv,
+                    assembler: Assembler::Plain(Destination::open(path)?),
+                    name: "the results".to_owned(),
+                };
+                results.add(csv_bytes([titles])?)?;
+                return Ok(results);
             }
             Ok(Format::Npy) => {
                 return Err(Failure::input(format!(
@@ -58,82 +64,38 @@ impl Results {
             }
             Ok(format) => format,
         };
-        let mut fields: Vec<Field> = Vec::new();
-        for index in columns.kept() {
-            fields.push(match &source {
-                Some(schema) => schema.field(index).clone(),
-                None => {
-                    let name = String::from_utf8_lossy(header.get(index).unwrap_or_default());
-                    match columns.number(index) {
-                        Some(input) => {
-                            let about = (input.symbol, input.unit, input.description);
-                            number_field(name.trim(), true, about)
-                        }
-                        None => Field::new(name.trim(), DataType::Utf8, true),
-                    }
-                }
-            });
-        }
-        fields.extend(quantities.iter().map(|quantity| {
-            let about = (quantity.symbol(), quantity.unit(), quantity.description());
-            number_field(quantity.name(), true, about)
-        }));
-        fields.push(Field::new(ERROR, DataType::Utf8, true));
         let layout = Layout {
             format,
-            schema: schema(fields, String::from("{}")),
+            schema: schema(
+                fields(header, columns, source.as_ref(), quantities),
+                String::from("{}"),
+            ),
             rows: 0,
             longest_text: 0,
         };
         let name = format!("`{}`", path.display());
         let assembler = Assembler::new(&layout, Destination::open(path)?)
             .map_err(|source| Failure::stream("write", name.as_str(), source))?;
-        Ok(Self::Columns {
-            layout,
+        Ok(Self {
+            encoding: Encoding::Columns(layout),
             assembler,
             name,
         })
     }
 
-    /// Writes rows with what came of them.
+    /// How rows are to be encoded.
+    pub(super) const fn encoding(&self) -> &Encoding {
+        &self.encoding
+    }
+
+    /// Adds rows that are encoded.
     ///
     /// # Errors
     ///
-    /// Where the system refuses, or a column is of a kind that the format has not.
-    pub(super) fn write(
-        &mut self,
-        columns: &Columns,
-        piece: &Piece,
-        outcomes: &[Outcome],
-    ) -> Result<(), Failure> {
-        match self {
-            Self::Csv(writer) => {
-                if let Some(batch) = &piece.columns {
-                    require_texts(columns, batch)?;
-                }
-                for (Read { row, .. }, (values, error)) in piece.rows.iter().zip(outcomes) {
-                    let mut record: ByteRecord = columns.carried(&row.fields).collect();
-                    // The shortest digits that read back as the same number; a zero has no sign.
-                    let cell = |value: f64| format!("{:?}", value + 0.0);
-                    record.extend(
-                        values
-                            .iter()
-                            .map(|value| value.map(cell).unwrap_or_default()),
-                    );
-                    record.push_field(error.as_bytes());
-                    write(writer, &record)?;
-                }
-                Ok(())
-            }
-            Self::Columns {
-                layout,
-                assembler,
-                name,
-            } => batch(columns, piece, outcomes, &layout.schema)
-                .and_then(|batch| layout.encode(&batch))
-                .and_then(|part| assembler.add(part))
-                .map_err(|source| Failure::stream("write", name.as_str(), source)),
-        }
+    /// Where the system refuses.
+    pub(super) fn add(&mut self, part: Vec<u8>) -> Result<(), Failure> {
+        let added = self.assembler.add(part);
+        added.map_err(|source| Failure::stream("write", self.name.as_str(), source))
     }
 
     /// Makes the table appear.
@@ -142,37 +104,111 @@ impl Results {
     ///
     /// Where the last bytes or the move fail.
     pub(super) fn finish(self) -> Result<(), Failure> {
-        let destination = match self {
-            Self::Csv(writer) => writer.into_inner().map_err(|error| {
-                Failure::stream(
-                    "write",
-                    "the results",
-                    io::Error::from(error.error().kind()),
-                )
-            })?,
-            Self::Columns {
-                assembler, name, ..
-            } => assembler
-                .finish()
-                .map_err(|source| Failure::stream("write", name, source))?,
-        };
+        let finished = self.assembler.finish();
+        let destination = finished.map_err(|source| Failure::stream("write", self.name, source))?;
         destination.finish()
     }
+}
+
+/// The columns of a table of columns.
+fn fields(
+    header: &ByteRecord,
+    columns: &Columns,
+    source: Option<&SchemaRef>,
+    quantities: &[Quantity],
+) -> Vec<Field> {
+    let carried = columns.kept().map(|index| {
+        if let Some(schema) = source {
+            return schema.field(index).clone();
+        }
+        let name = String::from_utf8_lossy(header.get(index).unwrap_or_default());
+        match columns.number(index) {
+            Some(input) => {
+                let about = (input.symbol, input.unit, input.description);
+                number_field(name.trim(), true, about)
+            }
+            None => Field::new(name.trim(), DataType::Utf8, true),
+        }
+    });
+    let mut fields: Vec<Field> = carried.collect();
+    fields.extend(quantities.iter().map(|quantity| {
+        let about = (quantity.symbol(), quantity.unit(), quantity.description());
+        number_field(quantity.name(), true, about)
+    }));
+    fields.push(Field::new(ERROR, DataType::Utf8, true));
+    fields
+}
+
+impl Encoding {
+    /// The bytes of rows with what came of them.
+    ///
+    /// # Errors
+    ///
+    /// Where a column is of a kind that the format has not.
+    pub(super) fn encode(
+        &self,
+        columns: &Columns,
+        piece: &Piece,
+        answers: &Answers,
+    ) -> Result<Vec<u8>, Failure> {
+        match self {
+            Self::Csv => {
+                if let Piece::Batch { batch, .. } = piece {
+                    require_texts(columns, batch)?;
+                }
+                csv_bytes(records(columns, piece, answers))
+            }
+            Self::Columns(layout) => batch(columns, piece, answers, &layout.schema)
+                .and_then(|batch| layout.encode(&batch))
+                .map_err(|source| Failure::stream("write", "the results", source)),
+        }
+    }
+}
+
+/// The rows of a CSV table.
+fn records<'a>(
+    columns: &'a Columns,
+    piece: &'a Piece,
+    answers: &'a Answers,
+) -> impl Iterator<Item = ByteRecord> {
+    // The shortest digits that read back as the same number; a zero has no sign.
+    let cell = |value: f64| match value.is_nan() {
+        true => String::new(),
+        false => format!("{:?}", value + 0.0),
+    };
+    errors(piece, answers).enumerate().map(move |(row, error)| {
+        let read = piece.read(row);
+        let mut record: ByteRecord = columns.carried(&read.row.fields).collect();
+        record.extend(answers.values.iter().map(|column| cell(column[row])));
+        record.push_field(error.unwrap_or_default().as_bytes());
+        record
+    })
+}
+
+/// What is said of each row, if anything.
+fn errors<'a>(piece: &Piece, answers: &'a Answers) -> impl Iterator<Item = Option<&'a str>> {
+    let mut errors = answers.errors.iter().peekable();
+    (0..piece.len()).map(move |row| {
+        let of_row = errors.next_if(|(of, _)| *of == row);
+        of_row
+            .map(|(_, error)| error.as_str())
+            .filter(|error| !error.is_empty())
+    })
 }
 
 /// The rows as columns: those that are carried, the results, the reasons.
 fn batch(
     columns: &Columns,
     piece: &Piece,
-    outcomes: &[Outcome],
+    answers: &Answers,
     schema: &SchemaRef,
 ) -> io::Result<RecordBatch> {
     let mut arrays: Vec<ArrayRef> = Vec::new();
     for index in columns.kept() {
-        arrays.push(match &piece.columns {
-            Some(batch) => Arc::clone(batch.column(index)),
-            None => {
-                let cells = piece.rows.iter().map(|read| {
+        arrays.push(match piece {
+            Piece::Batch { batch, .. } => Arc::clone(batch.column(index)),
+            Piece::Rows(rows) => {
+                let cells = rows.iter().map(|read| {
                     String::from_utf8_lossy(read.row.fields.get(index).unwrap_or_default())
                 });
                 if columns.number(index).is_some() {
@@ -193,17 +229,16 @@ fn batch(
             }
         });
     }
-    let quantities = outcomes.first().map_or(0, |(values, _)| values.len());
-    for quantity in 0..quantities {
-        let values = outcomes
-            .iter()
-            .map(|(values, _)| values[quantity].map(|value| value + 0.0));
-        arrays.push(Arc::new(values.collect::<Float64Array>()));
+    for column in &answers.values {
+        let values = column.iter().map(|value| value + 0.0);
+        arrays.push(if column.iter().any(|value| value.is_nan()) {
+            let there = values.map(|value| Some(value).filter(|value| !value.is_nan()));
+            Arc::new(there.collect::<Float64Array>())
+        } else {
+            Arc::new(Float64Array::from_iter_values(values))
+        });
     }
-    let reasons = outcomes
-        .iter()
-        .map(|(_, error)| Some(error.as_str()).filter(|error| !error.is_empty()));
-    arrays.push(Arc::new(reasons.collect::<StringArray>()));
+    arrays.push(Arc::new(errors(piece, answers).collect::<StringArray>()));
     RecordBatch::try_new(Arc::clone(schema), arrays).map_err(io::Error::other)
 }
 
@@ -223,11 +258,13 @@ fn require_texts(columns: &Columns, batch: &RecordBatch) -> Result<(), Failure> 
     Ok(())
 }
 
-fn write(writer: &mut csv::Writer<Destination>, record: &ByteRecord) -> Result<(), Failure> {
-    writer
-        .write_byte_record(record)
-        .map_err(|error| match error.into_kind() {
-            csv::ErrorKind::Io(source) => Failure::stream("write", "the results", source),
-            other => Failure::input(format!("cannot write the results: {other:?}")),
-        })
+/// Rows as CSV.
+fn csv_bytes(records: impl IntoIterator<Item = ByteRecord>) -> Result<Vec<u8>, Failure> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    for record in records {
+        let written = writer.write_byte_record(&record);
+        written.map_err(|error| Failure::input(format!("cannot write the results: {error}")))?;
+    }
+    let bytes = writer.into_inner();
+    bytes.map_err(|error| Failure::input(format!("cannot write the results: {error}")))
 }

@@ -1,5 +1,6 @@
 //! Where the rows of `rotor evaluate` come from: CSV, Parquet or Arrow, piece by piece.
 
+use std::borrow::Cow;
 use std::fs::{self, File};
 use std::io::{self, BufRead, BufReader, Seek as _};
 use std::path::Path;
@@ -19,15 +20,15 @@ use super::table::{OPEN_QUOTE, Row, Rows, TableError};
 use crate::failure::Failure;
 use crate::files::Format;
 
-/// Rows that are read before they are evaluated together, on all cores.
+/// Rows of a piece. Pieces are evaluated side by side, on all cores.
 const ROWS_PER_PIECE: usize = 1 << 14;
 
 /// Batches of a file of columns.
-type Batches = Box<dyn Iterator<Item = Result<RecordBatch, ArrowError>>>;
+type Batches = Box<dyn Iterator<Item = Result<RecordBatch, ArrowError>> + Send>;
 
 /// A table that is read.
 pub(super) enum Source {
-    Csv(Rows<Box<dyn BufRead>>),
+    Csv(Rows<Box<dyn BufRead + Send>>),
     Columns {
         schema: SchemaRef,
         batches: Batches,
@@ -37,6 +38,7 @@ pub(super) enum Source {
 }
 
 /// A row as it was read.
+#[derive(Clone)]
 pub(super) struct Read {
     pub(super) row: Row,
     /// Why its fields are not to be trusted.
@@ -49,11 +51,36 @@ impl From<Row> for Read {
     }
 }
 
-/// Some rows.
-pub(super) struct Piece {
-    pub(super) rows: Vec<Read>,
-    /// The same as columns, where the file has them.
-    pub(super) columns: Option<RecordBatch>,
+/// Some rows, as the file has them.
+pub(super) enum Piece {
+    /// Rows of text.
+    Rows(Vec<Read>),
+    /// Columns.
+    Batch {
+        batch: RecordBatch,
+        /// The number of the first row.
+        first: u64,
+    },
+}
+
+impl Piece {
+    /// How many rows there are, at least one.
+    pub(super) fn len(&self) -> usize {
+        match self {
+            Self::Rows(rows) => rows.len(),
+            Self::Batch { batch, .. } => batch.num_rows(),
+        }
+    }
+
+    /// A row as it would stand in a CSV table.
+    pub(super) fn read(&self, row: usize) -> Cow<'_, Read> {
+        match self {
+            Self::Rows(rows) => Cow::Borrowed(&rows[row]),
+            Self::Batch { batch, first } => {
+                Cow::Owned(row_of(batch, row, first + row as u64).into())
+            }
+        }
+    }
 }
 
 impl Source {
@@ -64,7 +91,7 @@ impl Source {
     /// Where the file cannot be read, or is not what its extension says.
     pub(super) fn open(path: &Path) -> Result<Self, Failure> {
         if path.as_os_str() == "-" {
-            return Ok(Self::Csv(Rows::new(Box::new(io::stdin().lock()))));
+            return Ok(Self::Csv(Rows::new(Box::new(BufReader::new(io::stdin())))));
         }
         if fs::metadata(path).is_ok_and(|metadata| metadata.is_dir()) {
             return Err(Failure::input(format!(
@@ -119,7 +146,7 @@ impl Source {
     }
 
     /// The next rows; none at the end. Keeping going, a row whose quote is not closed is given as far as it could be read.
-    pub(super) fn next_piece(&mut self, keep_going: bool) -> Result<Piece, String> {
+    pub(super) fn next_piece(&mut self, keep_going: bool) -> Result<Option<Piece>, String> {
         match self {
             Self::Csv(source) => {
                 let mut rows = Vec::new();
@@ -136,30 +163,19 @@ impl Source {
                         Err(error) => return Err(error.to_string()),
                     }
                 }
-                Ok(Piece {
-                    rows,
-                    columns: None,
-                })
+                Ok((!rows.is_empty()).then_some(Piece::Rows(rows)))
             }
             Self::Columns { batches, next, .. } => {
                 // A batch may be empty; only no batch is the end.
                 for batch in batches {
                     let batch = batch.map_err(|error| error.to_string())?;
                     if batch.num_rows() > 0 {
-                        let rows = (0..batch.num_rows())
-                            .map(|row| row_of(&batch, row, *next + row as u64).into());
-                        let rows = rows.collect();
+                        let first = *next;
                         *next += batch.num_rows() as u64;
-                        return Ok(Piece {
-                            rows,
-                            columns: Some(batch),
-                        });
+                        return Ok(Some(Piece::Batch { batch, first }));
                     }
                 }
-                Ok(Piece {
-                    rows: Vec::new(),
-                    columns: None,
-                })
+                Ok(None)
             }
         }
     }
