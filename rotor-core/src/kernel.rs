@@ -11,14 +11,31 @@
 mod closed_forms;
 mod widths;
 
+use crate::extremes::{Extremes, is_size};
 use crate::quantity::{self, Quantity};
-use crate::rotor::{NumericInput, Rotor, RotorParameters};
+use crate::rotor::{Allowed, INPUTS, NumericInput, Rotor, RotorParameters};
 
 use closed_forms::{ClosedForms, Points, is_closed};
 use widths::Widths;
 
 /// The most points of a block.
 pub(crate) const POINTS_PER_BLOCK: usize = 4096;
+
+/// What came of a row of a block.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Evaluated {
+    /// How many points are no rotor.
+    pub(crate) no_rotor: u64,
+    /// Whether it is certain that every point has every quantity.
+    pub(crate) is_complete: bool,
+}
+
+impl Evaluated {
+    const COMPLETE: Self = Self {
+        no_rotor: 0,
+        is_complete: true,
+    };
+}
 
 /// Evaluates quantities of blocks of rotors.
 pub(crate) struct Kernel<'a> {
@@ -32,8 +49,9 @@ pub(crate) struct Kernel<'a> {
     inputs: Vec<&'static NumericInput>,
     /// The block's values, one list for each input.
     values: Vec<Vec<f64>>,
-    /// The points of plain values.
+    /// The points of plain values, and whether that is all of them.
     plain: Vec<bool>,
+    all_are_plain: bool,
     /// Of a row's points those whose closed forms are known.
     known: Vec<bool>,
 }
@@ -58,6 +76,7 @@ impl<'a> Kernel<'a> {
             values: vec![Vec::new(); inputs.len()],
             inputs,
             plain: Vec::new(),
+            all_are_plain: false,
             known: Vec::new(),
         }
     }
@@ -70,10 +89,12 @@ impl<'a> Kernel<'a> {
         for (number, (values, input)) in lists.enumerate() {
             values.resize(length, f64::NAN);
             fill(number, values);
+            let sizes = Sizes::of(input);
             for (plain, value) in self.plain.iter_mut().zip(&*values) {
-                *plain &= is_plain(input, *value);
+                *plain &= sizes.contain(*value);
             }
         }
+        self.all_are_plain = self.plain.iter().all(|plain| *plain);
         if let Some((_, widths)) = &mut self.staged {
             widths.enter(&self.values);
         }
@@ -83,46 +104,60 @@ impl<'a> Kernel<'a> {
     /// `results` has for each quantity a slice of the block's length.
     ///
     /// Within these slices, and nowhere else, NaN means that the point has no such quantity.
-    /// Answers how many points are no rotor.
-    pub(crate) fn evaluate(&mut self, row: &RotorParameters, results: &mut [&mut [f64]]) -> u64 {
-        self.known.clone_from(&self.plain);
-        let fixed = crate::rotor::INPUTS.iter().filter(|input| {
-            let varied = self.inputs.iter().any(|varied| varied.name == input.name);
-            !varied
-        });
+    pub(crate) fn evaluate(
+        &mut self,
+        row: &RotorParameters,
+        results: &mut [&mut [f64]],
+    ) -> Evaluated {
         let points = Points {
             row,
             varied: &self.inputs,
             values: &self.values,
         };
-        if !fixed
-            .into_iter()
-            .all(|input| is_plain(input, (input.get)(row)))
-        {
-            self.known.fill(false);
+        let varied = |input: &NumericInput| self.inputs.iter().any(|other| *other == input);
+        let row_is_plain = INPUTS
+            .iter()
+            .all(|input| varied(input) || Sizes::of(input).contain((input.get)(row)));
+        if !row_is_plain {
+            self.known.clear();
+            self.known.resize(self.plain.len(), false);
         } else if let Some((places, widths)) = &mut self.staged {
-            widths.evaluate(points, widths_of(*places, results), &mut self.known);
+            let evaluated = widths.evaluate(points, widths_of(*places, results));
+            let mut of_places = places.iter().flatten();
+            if evaluated
+                && self.all_are_plain
+                && widths::all_have_regions(points)
+                && of_places.all(|place| Extremes::of(&*results[*place]).are_sizes())
+            {
+                return Evaluated::COMPLETE;
+            }
+            self.known.clone_from(&self.plain);
+            widths::keep_regions(points, &mut self.known);
             for place in places.iter().flatten() {
                 for (known, width) in self.known.iter_mut().zip(&*results[*place]) {
                     // A zero may be the width of a closed region, or what is left of a smaller number.
-                    *known &= is_size(*width);
+                    *known &= evaluated && is_size(*width);
                 }
             }
         } else {
+            self.known.clone_from(&self.plain);
             let (quantities, known) = (self.quantities, &mut self.known);
             self.closed_forms
                 .evaluate(points, quantities, results, known);
         }
-        if self.open.is_empty() && self.known.iter().all(|known| *known) {
-            return 0;
-        }
-        let mut no_rotor = 0;
-        for point in 0..self.known.len() {
-            if !(self.known[point] && self.open.is_empty()) {
-                no_rotor += u64::from(!self.point(row, point, results));
+        self.rest(row, results)
+    }
+
+    /// Evaluates point by point what is not known.
+    fn rest(&self, row: &RotorParameters, results: &mut [&mut [f64]]) -> Evaluated {
+        let mut evaluated = Evaluated::COMPLETE;
+        for (point, known) in self.known.iter().enumerate() {
+            if !(*known && self.open.is_empty()) {
+                evaluated.is_complete = false;
+                evaluated.no_rotor += u64::from(!self.point(row, point, results));
             }
         }
-        no_rotor
+        evaluated
     }
 
     /// Evaluates what is not known at one point; whether it is a rotor.
@@ -168,22 +203,37 @@ fn widths_of<'a>(
     wanted
 }
 
-/// Whether a number is positive, with all its digits.
-fn is_size(value: f64) -> bool {
-    (f64::MIN_POSITIVE..=f64::MAX).contains(&value)
+/// The values of an input that are allowed, and of a size with which nothing leaves the range of numbers on the way to a
+/// quantity: from a tenth of a millimetre, or a gramme in a billion, to a thousand times what there is.
+struct Sizes {
+    allowed: Allowed,
+    above: f64,
+    below: f64,
+    /// Whether zero is a size too.
+    with_zero: bool,
 }
 
-/// Whether an input is allowed, and of a size with which nothing leaves the range of numbers on the way to a quantity: from
-/// a tenth of a millimetre, or a gramme in a billion, to a thousand times what there is.
-fn is_plain(input: &NumericInput, value: f64) -> bool {
-    const LARGEST: f64 = 1e12;
-    let size = value.abs();
-    input.allowed.contains(value)
-        && match input.name {
-            "crack_angle" | "shaft_poissons_ratio" => true,
-            "crack_depth_ratio" | "disk_asymmetry" => size == 0.0 || size > 1e-9,
-            "disk_position_ratio" | "crack_position_ratio" => size > 1e-4 && size < 1.0 - 1e-4,
-            name if widths::INERTIA.contains(&name) => size > 1e-12 && size < LARGEST,
-            _ => size > 1e-4 && size < LARGEST,
+impl Sizes {
+    fn of(input: &NumericInput) -> Self {
+        const LARGEST: f64 = 1e12;
+        let (above, below, with_zero) = match input.name {
+            "crack_angle" | "shaft_poissons_ratio" => (0.0, f64::INFINITY, true),
+            "crack_depth_ratio" | "disk_asymmetry" => (1e-9, f64::INFINITY, true),
+            "disk_position_ratio" | "crack_position_ratio" => (1e-4, 1.0 - 1e-4, false),
+            name if widths::INERTIA.contains(&name) => (1e-12, LARGEST, false),
+            _ => (1e-4, LARGEST, false),
+        };
+        Self {
+            allowed: input.allowed,
+            above,
+            below,
+            with_zero,
         }
+    }
+
+    fn contain(&self, value: f64) -> bool {
+        let size = value.abs();
+        let is_plain = (size > self.above && size < self.below) || (size == 0.0 && self.with_zero);
+        is_plain && self.allowed.contains(value)
+    }
 }

@@ -31,6 +31,7 @@
 #[doc = include_str!("corrections.md")]
 pub mod corrections {}
 pub mod equations;
+mod extremes;
 mod kernel;
 pub mod quantity;
 pub mod region;

@@ -8,11 +8,10 @@ use crate::equations::{
     cir_start, cir_width, cir_zup_asymmetry, coefficients, crack_compliance, reference_speed,
     sir_start, sir_width, sir_zup_asymmetry, stiffness,
 };
+use crate::extremes::is_size;
 use crate::quantity::Quantity;
 use crate::region::RegionKind;
 use crate::rotor::{INPUTS, LoadCase, NumericInput, RotorParameters};
-
-use super::is_size;
 
 /// Rows that are computed together: what is between the inputs and the results stays in the cache.
 const ROWS: usize = 1024;

@@ -71,22 +71,14 @@ impl Widths {
         }
     }
 
-    /// Evaluates those of the two results that are there at those points of which `known` says that their inputs are plain,
-    /// and says there at which there are regions, whose widths the results then are.
+    /// Evaluates those of the two results that are there, at points of plain values; whether that could be done. What comes
+    /// out at other points, or where there is no region, says nothing.
     pub(super) fn evaluate(
         &mut self,
         points: closed_forms::Points<'_>,
         results: [Option<&mut [f64]>; 2],
-        known: &mut [bool],
-    ) {
-        keep_regions(points, known);
-        if !(known.contains(&true) && self.row(points, Results::new(results))) {
-            known.fill(false);
-        }
-    }
-
-    /// Evaluates a row; whether that could be done.
-    fn row(&mut self, points: closed_forms::Points<'_>, results: Results<'_>) -> bool {
+    ) -> bool {
+        let results = Results::new(results);
         let parameters = without_axis(points);
         let Ok(rotor) = Rotor::new(parameters) else {
             return false;
@@ -193,8 +185,16 @@ fn without_axis(points: closed_forms::Points<'_>) -> RotorParameters {
     parameters
 }
 
-/// Keeps of the known points those at which there is a combination region, beta < 2.
-fn keep_regions(points: closed_forms::Points<'_>, known: &mut [bool]) {
+/// Whether the inertias are the same at all points, and with them the ratio for which there is a combination region,
+/// beta < 2.
+pub(super) fn all_have_regions(points: closed_forms::Points<'_>) -> bool {
+    let mut varied = points.varied.iter();
+    let same = !varied.any(|input| INERTIA.contains(&input.name));
+    same && points.row.disk_polar_inertia < 2.0 * points.row.disk_diametral_inertia
+}
+
+/// Keeps of the known points those at which there is a combination region.
+pub(super) fn keep_regions(points: closed_forms::Points<'_>, known: &mut [bool]) {
     let list = |name| {
         let position = points.varied.iter().position(|input| input.name == name);
         position.and_then(|position| points.values.get(position))

@@ -191,10 +191,13 @@ pub(super) fn evaluate_blocks(
             .iter_mut()
             .map(|buffer| &mut buffer[..taken_here])
             .collect();
-        counts.no_rotor += kernel.evaluate(&row_of(&plan.base, outer, row), &mut results);
+        let evaluated = kernel.evaluate(&row_of(&plan.base, outer, row), &mut results);
+        counts.no_rotor += evaluated.no_rotor;
         counts.points += taken;
-        for (missing, result) in counts.missing.iter_mut().zip(&results) {
-            *missing += result.iter().filter(|value| value.is_nan()).count() as u64;
+        if !evaluated.is_complete {
+            for (missing, result) in counts.missing.iter_mut().zip(&results) {
+                *missing += result.iter().filter(|value| value.is_nan()).count() as u64;
+            }
         }
         take(&Block {
             first: point,

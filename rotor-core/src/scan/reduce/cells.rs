@@ -1,5 +1,7 @@
 //! The number that a reduction keeps for a group, and how it takes values.
 
+use crate::extremes::Extremes;
+
 use super::Statistic;
 
 /// What is kept of a group, or of a bin of it.
@@ -56,21 +58,21 @@ pub(super) fn fold(statistic: Statistic, cells: &mut [Cell], point: u64, values:
     };
     match statistic {
         Statistic::Maximum | Statistic::ArgMaximum => {
-            let top = in_lanes(values, f64::NEG_INFINITY, |top, value| {
-                if value > top { value } else { top }
-            });
-            let top = top.into_iter().fold(f64::NEG_INFINITY, f64::max);
+            let top = Extremes::of(values).greatest;
             if top > cell.value {
-                (cell.value, cell.number) = (top, first(values, top, point));
+                cell.value = top;
+                if statistic.locates() {
+                    cell.number = first(values, top, point);
+                }
             }
         }
         Statistic::Minimum | Statistic::ArgMinimum => {
-            let least = in_lanes(values, f64::INFINITY, |least, value| {
-                if value < least { value } else { least }
-            });
-            let least = least.into_iter().fold(f64::INFINITY, f64::min);
+            let least = Extremes::of(values).least;
             if least < cell.value {
-                (cell.value, cell.number) = (least, first(values, least, point));
+                cell.value = least;
+                if statistic.locates() {
+                    cell.number = first(values, least, point);
+                }
             }
         }
         Statistic::Mean => {

@@ -1,0 +1,137 @@
+//! The least and the greatest of many numbers.
+
+use lanes::{Consumer, Kernel, Level, Pack, Simd, fold};
+
+/// Whether a number is positive, with all its digits.
+pub(crate) fn is_size(value: f64) -> bool {
+    (f64::MIN_POSITIVE..=f64::MAX).contains(&value)
+}
+
+/// What a column spans. What is NaN is left out.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Extremes {
+    /// Infinity where there is nothing.
+    pub(crate) least: f64,
+    /// Negative infinity where there is nothing.
+    pub(crate) greatest: f64,
+    /// Whether no number is NaN or infinite.
+    pub(crate) all_are_finite: bool,
+}
+
+impl Extremes {
+    /// Those of a column.
+    pub(crate) fn of(values: &[f64]) -> Self {
+        // One column has one length.
+        let found = fold::<Itself, Span, 0, 1, 1>(Level::best(), &[], [values], &Span);
+        found.unwrap_or(Self::NONE)
+    }
+
+    const NONE: Self = Self {
+        least: f64::INFINITY,
+        greatest: f64::NEG_INFINITY,
+        all_are_finite: true,
+    };
+
+    /// Whether all are positive, with all their digits.
+    pub(crate) fn are_sizes(&self) -> bool {
+        self.all_are_finite && is_size(self.least)
+    }
+}
+
+/// A column as it is.
+struct Itself;
+
+impl Kernel<0, 1, 1> for Itself {
+    #[inline(always)]
+    fn evaluate<S: Simd>(_: S, _: [Pack<S>; 0], along: [Pack<S>; 1]) -> [Pack<S>; 1] {
+        along
+    }
+}
+
+/// Takes the least, the greatest, and a sum of zeros that is NaN where a number is not finite.
+struct Span;
+
+impl Consumer<1> for Span {
+    type Lanes<S: Simd> = [Pack<S>; 3];
+    type Output = Extremes;
+
+    #[inline(always)]
+    fn begin<S: Simd>(&self, simd: S) -> [Pack<S>; 3] {
+        [f64::INFINITY, f64::NEG_INFINITY, 0.0].map(
+            #[inline(always)]
+            |number| Pack::splat(simd, number),
+        )
+    }
+
+    #[inline(always)]
+    fn take<S: Simd>(&self, lanes: &mut [Pack<S>; 3], _: usize, _: usize, [value]: &[Pack<S>; 1]) {
+        let [least, greatest, zeros] = *lanes;
+        // Beyond the last row a pack repeats rows that are there.
+        *lanes = [
+            least.min(*value),
+            greatest.max(*value),
+            zeros + *value * 0.0,
+        ];
+    }
+
+    #[inline(always)]
+    fn end<S: Simd>(&self, [least, greatest, zeros]: [Pack<S>; 3]) -> Extremes {
+        Extremes {
+            least: least
+                .as_slice()
+                .iter()
+                .copied()
+                .fold(f64::INFINITY, f64::min),
+            greatest: greatest
+                .as_slice()
+                .iter()
+                .copied()
+                .fold(f64::NEG_INFINITY, f64::max),
+            all_are_finite: zeros.as_slice().iter().all(|zero| *zero == 0.0),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_number_of_another_kind_is_found_wherever_it_stands() {
+        let others = [
+            0.0,
+            -1.0,
+            f64::NAN,
+            f64::INFINITY,
+            f64::NEG_INFINITY,
+            1e-310,
+        ];
+        for length in [1, 7, 8, 9, 21] {
+            let mut values = vec![2.0; length];
+            assert!(Extremes::of(&values).are_sizes());
+            for place in 0..length {
+                for other in others {
+                    values[place] = other;
+                    let found = Extremes::of(&values);
+                    assert!(!found.are_sizes(), "{other} at {place} of {length}");
+                    let (least, greatest) = if other.is_nan() && length == 1 {
+                        (f64::INFINITY, f64::NEG_INFINITY)
+                    } else {
+                        let all = || values.iter().copied().filter(|value| !value.is_nan());
+                        (
+                            all().fold(f64::INFINITY, f64::min),
+                            all().fold(f64::NEG_INFINITY, f64::max),
+                        )
+                    };
+                    assert_eq!((found.least, found.greatest), (least, greatest));
+                }
+                for size in [f64::MIN_POSITIVE, f64::MAX] {
+                    values[place] = size;
+                    assert!(Extremes::of(&values).are_sizes());
+                }
+                values[place] = 2.0;
+            }
+        }
+        assert_eq!(Extremes::of(&[]), Extremes::NONE);
+    }
+}
