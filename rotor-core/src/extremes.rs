@@ -21,9 +21,29 @@ pub(crate) struct Extremes {
 impl Extremes {
     /// Those of a column.
     pub(crate) fn of(values: &[f64]) -> Self {
-        // One column has one length.
-        let found = fold::<Itself, Span, 0, 1, 1>(Level::best(), &[], [values], &Span);
-        found.unwrap_or(Self::NONE)
+        let [found] = Self::along::<Itself, 0, 1, 1>(&[], [values]);
+        found
+    }
+
+    /// Those of what a kernel gives along columns of one length, without a column of it.
+    pub(crate) fn along<K, const FIXED: usize, const ALONG: usize, const RESULTS: usize>(
+        fixed: &[f64; FIXED],
+        along: [&[f64]; ALONG],
+    ) -> [Self; RESULTS]
+    where
+        K: Kernel<FIXED, ALONG, RESULTS>,
+    {
+        let found = fold::<K, Span, FIXED, ALONG, RESULTS>(Level::best(), fixed, along, &Span);
+        found.unwrap_or([Self::NONE; RESULTS])
+    }
+
+    /// Those of the square roots of the same numbers.
+    pub(crate) fn of_roots(self) -> Self {
+        Self {
+            least: self.least.sqrt(),
+            greatest: self.greatest.sqrt(),
+            ..self
+        }
     }
 
     const NONE: Self = Self {
@@ -51,32 +71,41 @@ impl Kernel<0, 1, 1> for Itself {
 /// Takes the least, the greatest, and a sum of zeros that is NaN where a number is not finite.
 struct Span;
 
-impl Consumer<1> for Span {
-    type Lanes<S: Simd> = [Pack<S>; 3];
-    type Output = Extremes;
+impl<const RESULTS: usize> Consumer<RESULTS> for Span {
+    type Lanes<S: Simd> = [[Pack<S>; 3]; RESULTS];
+    type Output = [Extremes; RESULTS];
 
     #[inline(always)]
-    fn begin<S: Simd>(&self, simd: S) -> [Pack<S>; 3] {
-        [f64::INFINITY, f64::NEG_INFINITY, 0.0].map(
+    fn begin<S: Simd>(&self, simd: S) -> [[Pack<S>; 3]; RESULTS] {
+        let start = [f64::INFINITY, f64::NEG_INFINITY, 0.0];
+        [start.map(
             #[inline(always)]
             |number| Pack::splat(simd, number),
-        )
+        ); RESULTS]
     }
 
     #[inline(always)]
-    fn take<S: Simd>(&self, lanes: &mut [Pack<S>; 3], _: usize, _: usize, [value]: &[Pack<S>; 1]) {
-        let [least, greatest, zeros] = *lanes;
-        // Beyond the last row a pack repeats rows that are there.
-        *lanes = [
-            least.min(*value),
-            greatest.max(*value),
-            zeros + *value * 0.0,
-        ];
+    fn take<S: Simd>(
+        &self,
+        lanes: &mut [[Pack<S>; 3]; RESULTS],
+        _: usize,
+        _: usize,
+        results: &[Pack<S>; RESULTS],
+    ) {
+        for (lanes, value) in lanes.iter_mut().zip(results) {
+            let [least, greatest, zeros] = *lanes;
+            // Beyond the last row a pack repeats rows that are there.
+            *lanes = [
+                least.min(*value),
+                greatest.max(*value),
+                zeros + *value * 0.0,
+            ];
+        }
     }
 
     #[inline(always)]
-    fn end<S: Simd>(&self, [least, greatest, zeros]: [Pack<S>; 3]) -> Extremes {
-        Extremes {
+    fn end<S: Simd>(&self, lanes: [[Pack<S>; 3]; RESULTS]) -> [Extremes; RESULTS] {
+        lanes.map(|[least, greatest, zeros]| Extremes {
             least: least
                 .as_slice()
                 .iter()
@@ -88,7 +117,7 @@ impl Consumer<1> for Span {
                 .copied()
                 .fold(f64::NEG_INFINITY, f64::max),
             all_are_finite: zeros.as_slice().iter().all(|zero| *zero == 0.0),
-        }
+        })
     }
 }
 

@@ -16,10 +16,40 @@ use crate::quantity::{self, Quantity};
 use crate::rotor::{Allowed, INPUTS, NumericInput, Rotor, RotorParameters};
 
 use closed_forms::{ClosedForms, Points, is_closed};
-use widths::Widths;
+use widths::{Tables, Widths};
 
 /// The most points of a block.
 pub(crate) const POINTS_PER_BLOCK: usize = 4096;
+
+/// The most blocks whose tables are kept, for an axis of as many: rows go through all of them.
+const MOST_BLOCKS: usize = 16;
+
+/// Points that have the same values in every row.
+struct Block {
+    /// Its first point on the axis.
+    first: u64,
+    /// The values, one list for each input.
+    values: Vec<Vec<f64>>,
+    /// The points of plain values, and whether that is all of them.
+    plain: Vec<bool>,
+    all_are_plain: bool,
+    /// What depends on the values alone.
+    tables: Tables,
+}
+
+impl Block {
+    fn points<'a>(
+        &'a self,
+        row: &'a RotorParameters,
+        varied: &'a [&'static NumericInput],
+    ) -> Points<'a> {
+        Points {
+            row,
+            varied,
+            values: &self.values,
+        }
+    }
+}
 
 /// What came of a row of a block.
 #[derive(Clone, Copy, Debug)]
@@ -47,11 +77,11 @@ pub(crate) struct Kernel<'a> {
     staged: Option<([Option<usize>; 2], Widths)>,
     closed_forms: ClosedForms,
     inputs: Vec<&'static NumericInput>,
-    /// The block's values, one list for each input.
-    values: Vec<Vec<f64>>,
-    /// The points of plain values, and whether that is all of them.
-    plain: Vec<bool>,
-    all_are_plain: bool,
+    /// The blocks that were entered last, and the one that it is about.
+    blocks: Vec<Block>,
+    current: usize,
+    /// The last row, and whether its inputs are plain.
+    last: Option<(RotorParameters, bool)>,
     /// Of a row's points those whose closed forms are known.
     known: Vec<bool>,
 }
@@ -73,31 +103,50 @@ impl<'a> Kernel<'a> {
             open: open.copied().collect(),
             staged: staged.map(|widths| (places, widths)),
             closed_forms: ClosedForms::of(quantities),
-            values: vec![Vec::new(); inputs.len()],
             inputs,
-            plain: Vec::new(),
-            all_are_plain: false,
+            blocks: Vec::new(),
+            current: 0,
+            last: None,
             known: Vec::new(),
         }
     }
 
-    /// Takes a block of `length` points, at most [`POINTS_PER_BLOCK`]; `fill` writes the values of the input of each number.
-    pub(crate) fn enter(&mut self, length: usize, fill: impl Fn(usize, &mut [f64])) {
-        self.plain.clear();
-        self.plain.resize(length, true);
-        let lists = self.values.iter_mut().zip(&self.inputs);
-        for (number, (values, input)) in lists.enumerate() {
-            values.resize(length, f64::NAN);
-            fill(number, values);
+    /// Takes the block of `length` points from the point `first` of the axis on, at most [`POINTS_PER_BLOCK`]; `fill` writes
+    /// the values of the input of each number.
+    pub(crate) fn enter(&mut self, first: u64, length: usize, fill: impl Fn(usize, &mut [f64])) {
+        let same = |block: &Block| block.first == first && block.plain.len() == length;
+        if let Some(known) = self.blocks.iter().position(same) {
+            self.current = known;
+            return;
+        }
+        self.current = self.blocks.len();
+        if self.current == MOST_BLOCKS {
+            self.current = 0;
+            self.blocks.clear();
+        }
+        let values = self.inputs.iter().enumerate().map(|(number, _)| {
+            let mut values = vec![f64::NAN; length];
+            fill(number, &mut values);
+            values
+        });
+        let mut block = Block {
+            first,
+            values: values.collect(),
+            plain: vec![true; length],
+            all_are_plain: false,
+            tables: Tables::new(),
+        };
+        for (input, values) in self.inputs.iter().zip(&block.values) {
             let sizes = Sizes::of(input);
-            for (plain, value) in self.plain.iter_mut().zip(&*values) {
+            for (plain, value) in block.plain.iter_mut().zip(values) {
                 *plain &= sizes.contain(*value);
             }
         }
-        self.all_are_plain = self.plain.iter().all(|plain| *plain);
-        if let Some((_, widths)) = &mut self.staged {
-            widths.enter(&self.values);
+        block.all_are_plain = block.plain.iter().all(|plain| *plain);
+        if let Some((_, widths)) = &self.staged {
+            widths.tabulate(&block.values, &mut block.tables);
         }
+        self.blocks.push(block);
     }
 
     /// Evaluates the block for the rotors that have the inputs `row` but for those that vary, which need not be valid.
@@ -109,29 +158,26 @@ impl<'a> Kernel<'a> {
         row: &RotorParameters,
         results: &mut [&mut [f64]],
     ) -> Evaluated {
-        let points = Points {
-            row,
-            varied: &self.inputs,
-            values: &self.values,
+        let row_is_plain = self.is_plain(row);
+        let Some(block) = self.blocks.get(self.current) else {
+            return Evaluated::COMPLETE;
         };
-        let varied = |input: &NumericInput| self.inputs.iter().any(|other| *other == input);
-        let row_is_plain = INPUTS
-            .iter()
-            .all(|input| varied(input) || Sizes::of(input).contain((input.get)(row)));
+        let points = block.points(row, &self.inputs);
         if !row_is_plain {
             self.known.clear();
-            self.known.resize(self.plain.len(), false);
+            self.known.resize(block.plain.len(), false);
         } else if let Some((places, widths)) = &mut self.staged {
-            let evaluated = widths.evaluate(points, widths_of(*places, results));
+            let wanted = widths_of(*places, results);
+            let evaluated = widths.evaluate(points, &block.tables, wanted);
             let mut of_places = places.iter().flatten();
             if evaluated
-                && self.all_are_plain
+                && block.all_are_plain
                 && widths::all_have_regions(points)
                 && of_places.all(|place| Extremes::of(&*results[*place]).are_sizes())
             {
                 return Evaluated::COMPLETE;
             }
-            self.known.clone_from(&self.plain);
+            self.known.clone_from(&block.plain);
             widths::keep_regions(points, &mut self.known);
             for place in places.iter().flatten() {
                 for (known, width) in self.known.iter_mut().zip(&*results[*place]) {
@@ -140,12 +186,44 @@ impl<'a> Kernel<'a> {
                 }
             }
         } else {
-            self.known.clone_from(&self.plain);
+            self.known.clone_from(&block.plain);
             let (quantities, known) = (self.quantities, &mut self.known);
             self.closed_forms
                 .evaluate(points, quantities, results, known);
         }
         self.rest(row, results)
+    }
+
+    /// The extremes of the quantities in the block for these rotors without the quantities themselves, at points that all
+    /// have all of them. None where they cannot be had so.
+    pub(crate) fn extremes(&mut self, row: &RotorParameters) -> Option<Vec<Extremes>> {
+        let row_is_plain = self.is_plain(row);
+        let block = self.blocks.get(self.current)?;
+        let points = block.points(row, &self.inputs);
+        if !(row_is_plain && block.all_are_plain && widths::all_have_regions(points)) {
+            return None;
+        }
+        let (places, widths) = self.staged.as_mut()?;
+        let found = widths.extremes(points, &block.tables)?;
+        let of_quantity = |place| {
+            let mut widths = places.iter().zip(found);
+            let width = widths.find(|(known, _)| **known == Some(place));
+            width.map(|(_, extremes)| extremes)
+        };
+        (0..self.quantities.len()).map(of_quantity).collect()
+    }
+
+    /// Whether the inputs of a row are plain, but for those that vary.
+    fn is_plain(&mut self, row: &RotorParameters) -> bool {
+        if let Some((last, is_plain)) = &self.last
+            && last == row
+        {
+            return *is_plain;
+        }
+        let mut fixed = INPUTS.iter().filter(|input| !self.inputs.contains(input));
+        let is_plain = fixed.all(|input| Sizes::of(input).contain((input.get)(row)));
+        self.last = Some((*row, is_plain));
+        is_plain
     }
 
     /// Evaluates point by point what is not known.
@@ -163,7 +241,8 @@ impl<'a> Kernel<'a> {
     /// Evaluates what is not known at one point; whether it is a rotor.
     fn point(&self, row: &RotorParameters, point: usize, results: &mut [&mut [f64]]) -> bool {
         let mut parameters = *row;
-        for (input, values) in self.inputs.iter().zip(&self.values) {
+        let values = self.blocks.get(self.current).map(|block| &block.values);
+        for (input, values) in self.inputs.iter().zip(values.into_iter().flatten()) {
             (input.set)(&mut parameters, values[point]);
         }
         let Ok(rotor) = Rotor::new(parameters) else {

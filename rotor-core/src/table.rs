@@ -75,7 +75,7 @@ pub fn evaluate(
     let mut kernel = Kernel::new(columns.iter().map(|column| column.input), quantities);
     for from in (0..length).step_by(POINTS_PER_BLOCK) {
         let to = length.min(from + POINTS_PER_BLOCK);
-        kernel.enter(to - from, |number, values| {
+        kernel.enter(from as u64, to - from, |number, values| {
             values.copy_from_slice(&columns[number].values[from..to]);
         });
         let stretch = results.iter_mut().map(|result| &mut result[from..to]);

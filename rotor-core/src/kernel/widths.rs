@@ -2,7 +2,8 @@
 
 use lanes::{ALL, Kernel, Level, store};
 
-use crate::equations::{self, both_widths, widths};
+use crate::equations::{self, Coefficients, Stiffness, both_widths, both_widths_squared, widths};
+use crate::extremes::Extremes;
 use crate::rotor::{LoadCase, NumericInput, Rotor, RotorParameters};
 
 use super::closed_forms;
@@ -25,12 +26,17 @@ enum Stages {
     Place,
 }
 
+/// Lists of numbers that depend on the axis.
+pub(super) type Tables = Vec<Vec<f64>>;
+
 /// The widths of blocks along one axis.
 #[derive(Debug)]
 pub(super) struct Widths {
     stages: Stages,
-    /// What depends on the axis alone, one list for each number.
-    tables: Vec<Vec<f64>>,
+    /// What depends on the axis and the row.
+    scratch: Tables,
+    /// The last rotor, with values for what varies, and what it has.
+    last: Option<(RotorParameters, Option<(Stiffness, Coefficients)>)>,
 }
 
 impl Widths {
@@ -47,13 +53,13 @@ impl Widths {
         };
         Some(Self {
             stages,
-            tables: Vec::new(),
+            scratch: Tables::new(),
+            last: None,
         })
     }
 
-    /// Takes the values of a block, one list for each input.
-    pub(super) fn enter(&mut self, values: &[Vec<f64>]) {
-        let tables = &mut self.tables;
+    /// What depends on the values of a block alone, which are one list for each input.
+    pub(super) fn tabulate(&self, values: &[Vec<f64>], tables: &mut Tables) {
         match (self.stages, values) {
             (Stages::Angle, [angles]) => {
                 use both_widths::along_crack_angle::{Along, TABLES};
@@ -76,44 +82,76 @@ impl Widths {
     pub(super) fn evaluate(
         &mut self,
         points: closed_forms::Points<'_>,
+        tables: &Tables,
         results: [Option<&mut [f64]>; 2],
     ) -> bool {
         let results = Results::new(results);
         let parameters = without_axis(points);
-        let Ok(rotor) = Rotor::new(parameters) else {
-            return false;
-        };
         match self.stages {
             Stages::Angle | Stages::Asymmetry | Stages::Inertias => {
-                self.along_coefficients(&rotor, points, results)
+                self.along_coefficients(parameters, points, tables, results)
             }
+            _ if Rotor::new(parameters).is_err() => false,
             Stages::Depth => {
                 use widths::along_crack_depth_ratio::{FIXED, Points, TABLES, fixed};
                 let loads = LoadCase::of(&parameters).loads(&parameters);
                 let fixed = fixed(&parameters, &loads, parameters.crack_edge.factor());
-                results.points::<Points, FIXED, TABLES>(&fixed, &self.tables)
+                results.points::<Points, FIXED, TABLES>(&fixed, tables)
             }
             Stages::Place => self.along_places(parameters, points, results),
         }
     }
 
+    /// The extremes of both widths along the crack's angle without the widths themselves, at points of plain values that
+    /// all have regions. None where that cannot be done.
+    ///
+    /// They are those of the squares, which are the radicands: of these one root is left.
+    pub(super) fn extremes(
+        &mut self,
+        points: closed_forms::Points<'_>,
+        tables: &Tables,
+    ) -> Option<[Extremes; 2]> {
+        use both_widths_squared::along_crack_angle::{FIXED, Points, TABLES, fixed};
+        if self.stages != Stages::Angle {
+            return None;
+        }
+        let (_, c) = self.of_row(without_axis(points))?;
+        let squares = Extremes::along::<Points, FIXED, TABLES, 2>(&fixed(&c), columns_of(tables));
+        let widths = squares.map(|squares| squares.of_roots());
+        widths.iter().all(Extremes::are_sizes).then_some(widths)
+    }
+
+    /// What the rotor of a row has; it is the same for all blocks of the row.
+    fn of_row(&mut self, parameters: RotorParameters) -> Option<(Stiffness, Coefficients)> {
+        if let Some((last, known)) = &self.last
+            && *last == parameters
+        {
+            return *known;
+        }
+        let of = |rotor: Rotor| Some((rotor.stiffness().ok()?, rotor.coefficients().ok()?));
+        let found = Rotor::new(parameters).ok().and_then(of);
+        self.last = Some((parameters, found));
+        found
+    }
+
     fn along_coefficients(
         &mut self,
-        rotor: &Rotor,
+        parameters: RotorParameters,
         points: closed_forms::Points<'_>,
+        tables: &Tables,
         results: Results<'_>,
     ) -> bool {
-        let (Ok(k), Ok(c)) = (rotor.stiffness(), rotor.coefficients()) else {
+        let Some((k, c)) = self.of_row(parameters) else {
             return false;
         };
         match self.stages {
             Stages::Angle => {
                 use both_widths::along_crack_angle::{FIXED, Points, TABLES, fixed};
-                results.points::<Points, FIXED, TABLES>(&fixed(&c), &self.tables)
+                results.points::<Points, FIXED, TABLES>(&fixed(&c), tables)
             }
             Stages::Asymmetry => {
                 use both_widths::along_disk_asymmetry::{FIXED, Points, TABLES, fixed};
-                results.points::<Points, FIXED, TABLES>(&fixed(&c), &self.tables)
+                results.points::<Points, FIXED, TABLES>(&fixed(&c), tables)
             }
             _ => {
                 use both_widths::along_beta_and_gamma_and_delta::{
@@ -131,9 +169,9 @@ impl Widths {
                 }
                 tabulate::<Along, 3, TABLES>(
                     columns.each_ref().map(Vec::as_slice),
-                    &mut self.tables,
+                    &mut self.scratch,
                 );
-                results.points::<Points, FIXED, TABLES>(&fixed(&c), &self.tables)
+                results.points::<Points, FIXED, TABLES>(&fixed(&c), &self.scratch)
             }
         }
     }
@@ -164,8 +202,8 @@ impl Widths {
                 column.push(value);
             }
         }
-        tabulate::<Along, 4, TABLES>(columns.each_ref().map(Vec::as_slice), &mut self.tables);
-        results.points::<Points, FIXED, TABLES>(&fixed, &self.tables)
+        tabulate::<Along, 4, TABLES>(columns.each_ref().map(Vec::as_slice), &mut self.scratch);
+        results.points::<Points, FIXED, TABLES>(&fixed, &self.scratch)
     }
 }
 
@@ -232,7 +270,7 @@ impl<'a> Results<'a> {
     fn points<P, const FIXED: usize, const TABLES: usize>(
         self,
         fixed: &[f64; FIXED],
-        tables: &[Vec<f64>],
+        tables: &Tables,
     ) -> bool
     where
         P: Kernel<FIXED, TABLES, 2>,
@@ -258,10 +296,8 @@ fn columns_of<const COLUMNS: usize>(columns: &[Vec<f64>]) -> [&[f64]; COLUMNS] {
 }
 
 /// The stage along the axis: its numbers for each value. Without any, where it cannot be done.
-fn tabulate<A, const INNER: usize, const TABLES: usize>(
-    inner: [&[f64]; INNER],
-    tables: &mut Vec<Vec<f64>>,
-) where
+fn tabulate<A, const INNER: usize, const TABLES: usize>(inner: [&[f64]; INNER], tables: &mut Tables)
+where
     A: Kernel<0, INNER, TABLES>,
 {
     let length = inner.first().map_or(0, |values| values.len());

@@ -1,5 +1,8 @@
 //! Chunks: consecutive points of a scan with their results.
 
+use std::sync::Mutex;
+
+use crate::extremes::Extremes;
 use crate::kernel::{Kernel, POINTS_PER_BLOCK};
 use crate::quantity::Quantity;
 use crate::rotor::RotorParameters;
@@ -146,8 +149,48 @@ impl<'a> Column<'a> {
 pub(super) struct Block<'a> {
     /// Its first point.
     pub(super) first: u64,
-    /// For each quantity its results, NaN where there is none.
-    pub(super) results: &'a [&'a mut [f64]],
+    /// What is known of it.
+    pub(super) results: Results<'a>,
+}
+
+/// What is known of a block, for each quantity.
+pub(super) enum Results<'a> {
+    /// Its values, NaN where there is none.
+    Values(&'a [&'a mut [f64]]),
+    /// What they span. Every point has one.
+    Extremes(&'a [Extremes]),
+}
+
+/// The kernels of a plan that wait for work: what they have tabulated serves the next chunk too.
+pub(super) struct Kernels<'a> {
+    plan: &'a Plan,
+    waiting: Mutex<Vec<Kernel<'a>>>,
+}
+
+impl<'a> Kernels<'a> {
+    /// None yet.
+    pub(super) const fn new(plan: &'a Plan) -> Self {
+        let waiting = Mutex::new(Vec::new());
+        Self { plan, waiting }
+    }
+
+    fn take(&self) -> Option<Kernel<'a>> {
+        let waiting = self
+            .waiting
+            .lock()
+            .ok()
+            .and_then(|mut waiting| waiting.pop());
+        waiting.or_else(|| {
+            let (_, inner) = self.plan.space.outer_and_inner()?;
+            Some(Kernel::new(inner.inputs(), &self.plan.quantities))
+        })
+    }
+
+    fn give_back(&self, kernel: Kernel<'a>) {
+        if let Ok(mut waiting) = self.waiting.lock() {
+            waiting.push(kernel);
+        }
+    }
 }
 
 /// The first point of a chunk and how many it has.
@@ -156,55 +199,56 @@ pub(super) fn extent(plan: &Plan, number: u64) -> (u64, u64) {
     (first, POINTS_PER_CHUNK.min(plan.space.len() - first))
 }
 
-/// Evaluates a chunk block by block; none where it is to stop.
+/// Evaluates a chunk block by block; none where it is to stop. Where extremes are `enough`, blocks may come without values.
 pub(super) fn evaluate_blocks(
-    plan: &Plan,
+    kernels: &Kernels<'_>,
     number: u64,
     stop: &dyn Fn() -> bool,
+    enough: bool,
     mut take: impl FnMut(&Block<'_>),
 ) -> Option<Counts> {
+    let plan = kernels.plan;
     let (outer, inner) = plan.space.outer_and_inner()?;
-    let (mut point, length) = extent(plan, number);
-    let end = point + length;
-    let mut kernel = Kernel::new(inner.inputs(), &plan.quantities);
-    let mut entered = None;
+    let (mut first, length) = extent(plan, number);
+    let end = first + length;
+    let mut kernel = kernels.take()?;
     let mut buffers = vec![vec![f64::NAN; POINTS_PER_BLOCK]; plan.quantities.len()];
     let mut counts = Counts::none(plan.quantities.len());
-    while point < end {
+    while first < end {
         if stop() {
             return None;
         }
-        let (row, along) = (point / inner.len(), point % inner.len());
+        let (row, along) = (first / inner.len(), first % inner.len());
         // Blocks start at multiples of their length on the inner axis, wherever chunks start.
         let block = POINTS_PER_BLOCK as u64;
         let taken = (block - along % block)
             .min(inner.len() - along)
-            .min(end - point);
+            .min(end - first);
         let taken_here = to_usize(taken);
-        if entered != Some((along, taken)) {
-            kernel.enter(taken_here, |column, values| {
-                inner.fill(column, along, values)
-            });
-            entered = Some((along, taken));
-        }
-        let mut results: Vec<&mut [f64]> = buffers
-            .iter_mut()
-            .map(|buffer| &mut buffer[..taken_here])
-            .collect();
-        let evaluated = kernel.evaluate(&row_of(&plan.base, outer, row), &mut results);
-        counts.no_rotor += evaluated.no_rotor;
-        counts.points += taken;
-        if !evaluated.is_complete {
-            for (missing, result) in counts.missing.iter_mut().zip(&results) {
-                *missing += result.iter().filter(|value| value.is_nan()).count() as u64;
-            }
-        }
-        take(&Block {
-            first: point,
-            results: &results,
+        kernel.enter(along, taken_here, |column, values| {
+            inner.fill(column, along, values);
         });
-        point += taken;
+        let row = row_of(&plan.base, outer, row);
+        counts.points += taken;
+        if let Some(extremes) = enough.then(|| kernel.extremes(&row)).flatten() {
+            let results = Results::Extremes(&extremes);
+            take(&Block { first, results });
+        } else {
+            let buffers = buffers.iter_mut().map(|buffer| &mut buffer[..taken_here]);
+            let mut values: Vec<&mut [f64]> = buffers.collect();
+            let evaluated = kernel.evaluate(&row, &mut values);
+            counts.no_rotor += evaluated.no_rotor;
+            if !evaluated.is_complete {
+                for (missing, values) in counts.missing.iter_mut().zip(&values) {
+                    *missing += values.iter().filter(|value| value.is_nan()).count() as u64;
+                }
+            }
+            let results = Results::Values(&values);
+            take(&Block { first, results });
+        }
+        first += taken;
     }
+    kernels.give_back(kernel);
     Some(counts)
 }
 
@@ -224,19 +268,20 @@ fn row_of(base: &RotorParameters, outer: &[Axis], row: u64) -> RotorParameters {
 
 /// Evaluates a chunk and keeps its results.
 pub(super) fn evaluate<'a>(
-    plan: &'a Plan,
+    kernels: &Kernels<'a>,
     number: u64,
     stop: &dyn Fn() -> bool,
-    mut take: impl FnMut(&Block<'_>),
 ) -> Option<Chunk<'a>> {
+    let plan = kernels.plan;
     let (first, length) = extent(plan, number);
     let empty = |_: &Quantity| Vec::with_capacity(to_usize(length));
     let mut results: Vec<Vec<f64>> = plan.quantities.iter().map(empty).collect();
-    let counts = evaluate_blocks(plan, number, stop, |block| {
-        for (all, result) in results.iter_mut().zip(block.results) {
-            all.extend_from_slice(result);
+    let counts = evaluate_blocks(kernels, number, stop, false, |block| {
+        if let Results::Values(values) = block.results {
+            for (all, values) in results.iter_mut().zip(values) {
+                all.extend_from_slice(values);
+            }
         }
-        take(block);
     })?;
     Some(Chunk {
         space: &plan.space,

@@ -10,7 +10,7 @@ use std::fmt;
 use crate::rotor::NumericInput;
 
 use super::Plan;
-use super::chunk::{self, Block};
+use super::chunk::{self, Block, Results};
 use super::error::ScanError;
 use super::space::Space;
 
@@ -217,6 +217,11 @@ impl Grouping {
         &self.reduction
     }
 
+    /// Whether the points of a block are of one group.
+    fn reduces_inner_axis(&self) -> bool {
+        self.strides.last() == Some(&0)
+    }
+
     /// The group of a point.
     fn group(&self, space: &Space, point: u64) -> u64 {
         let mut rest = point;
@@ -285,14 +290,35 @@ impl<'a> Reductions<'a> {
         Self { plan, parts }
     }
 
+    /// Whether the extremes of blocks say all.
+    pub(super) fn want_only_extremes(&self) -> bool {
+        let mut groupings = self.plan.groupings.iter();
+        groupings.all(|grouping| {
+            let statistic = grouping.reduction.statistic;
+            let is_extreme = matches!(statistic, Statistic::Maximum | Statistic::Minimum);
+            is_extreme && grouping.reduces_inner_axis()
+        })
+    }
+
     /// Takes the results of a block.
     pub(super) fn take(&mut self, block: &Block<'_>) {
         for (grouping, part) in self.plan.groupings.iter().zip(&mut self.parts) {
             let group = grouping.group(&self.plan.space, block.first) - part.first;
             let start = group as usize * grouping.width;
             let statistic = grouping.reduction.statistic;
-            let inner_is_reduced = grouping.strides.last() == Some(&0);
-            for (cells, values) in part.cells.iter_mut().zip(block.results) {
+            let inner_is_reduced = grouping.reduces_inner_axis();
+            let values = match block.results {
+                Results::Values(values) => values,
+                Results::Extremes(extremes) => {
+                    for (cells, extremes) in part.cells.iter_mut().zip(extremes) {
+                        let cell = cells.get_mut(start);
+                        cell.into_iter()
+                            .for_each(|cell| cell.widen(statistic, extremes));
+                    }
+                    continue;
+                }
+            };
+            for (cells, values) in part.cells.iter_mut().zip(values) {
                 let cells = cells.get_mut(start..).unwrap_or_default();
                 if inner_is_reduced {
                     cells::fold(statistic, cells, block.first, values);

@@ -10,7 +10,7 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 use thiserror::Error;
 
 use super::Plan;
-use super::chunk::{self, Chunk, Counts};
+use super::chunk::{self, Block, Chunk, Counts, Kernels};
 use super::error::ScanError;
 use super::reduce::{Reduced, Reductions};
 use super::sink::Sink;
@@ -103,9 +103,12 @@ impl Plan {
         } else {
             Reductions::from_bytes(self, state)?
         };
+        let kernels = Kernels::new(self);
+        let enough = reductions.want_only_extremes();
         let work = |number, stop: &dyn Fn() -> bool| {
             let mut part = Reductions::of_chunk(self, number);
-            let counts = chunk::evaluate_blocks(self, number, stop, |block| part.take(block))?;
+            let take = |block: &Block<'_>| part.take(block);
+            let counts = chunk::evaluate_blocks(&kernels, number, stop, enough, take)?;
             Some((counts, part))
         };
         let all = chunk..self.chunk_count();
@@ -142,11 +145,12 @@ impl Plan {
         control: &Control<'_>,
     ) -> Result<Counts, Stopped<S::Error>> {
         let mut counts = Counts::none(self.quantities.len());
+        let kernels = Kernels::new(self);
         let work = |number, stop: &dyn Fn() -> bool| {
             if let Some(counts) = sink.finished(number) {
                 return Some(Ok((counts, None)));
             }
-            let chunk = chunk::evaluate(self, number, stop, |_| {})?;
+            let chunk = chunk::evaluate(&kernels, number, stop)?;
             let encoded = sink.encode(&chunk);
             Some(encoded.map(|encoded| (chunk.counts().clone(), Some(encoded))))
         };
@@ -168,6 +172,7 @@ impl Plan {
     pub fn chunks(&self) -> Chunks<'_> {
         Chunks {
             plan: self,
+            kernels: Kernels::new(self),
             next: 0,
             ready: VecDeque::new(),
         }
@@ -244,6 +249,7 @@ fn pool(threads: Option<usize>) -> Result<ThreadPool, ScanError> {
 /// Iterator over the chunks of a plan; see [`Plan::chunks`].
 pub struct Chunks<'a> {
     plan: &'a Plan,
+    kernels: Kernels<'a>,
     next: u64,
     ready: VecDeque<Chunk<'a>>,
 }
@@ -260,7 +266,7 @@ impl<'a> Iterator for Chunks<'a> {
             self.next = end;
             let chunks: Vec<_> = numbers
                 .into_par_iter()
-                .filter_map(|number| chunk::evaluate(self.plan, number, &|| false, |_| {}))
+                .filter_map(|number| chunk::evaluate(&self.kernels, number, &|| false))
                 .collect();
             self.ready.extend(chunks);
         }

@@ -34,6 +34,15 @@ impl Cell {
         }
     }
 
+    /// Takes the extremes of values; for a maximum or a minimum.
+    pub(super) fn widen(&mut self, statistic: Statistic, extremes: &Extremes) {
+        self.value = match statistic {
+            Statistic::Maximum => self.value.max(extremes.greatest),
+            Statistic::Minimum => self.value.min(extremes.least),
+            _ => self.value,
+        };
+    }
+
     pub(super) fn to_bytes(self) -> [u8; 16] {
         let mut bytes = [0; 16];
         bytes[..8].copy_from_slice(&self.value.to_le_bytes());
