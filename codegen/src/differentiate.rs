@@ -11,6 +11,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use num_traits::Zero;
+
 use crate::graph::{ExprId, Function, Graph, Node, Rational, SymbolId, ratio, whole};
 use crate::rewrite::common::over_common_divisor;
 
@@ -21,6 +23,71 @@ pub fn gradient(graph: &mut Graph, function: ExprId, by: &[SymbolId]) -> Vec<Exp
         known: BTreeMap::new(),
     }
     .partials(graph, function)
+}
+
+/// The same over held products: a sweep down to their symbols, then from the last of them to what each is made of. What
+/// the users of a product pass on to it is summed before it goes on to the many factors.
+pub fn gradient_held(
+    graph: &mut Graph,
+    function: ExprId,
+    by: &[SymbolId],
+    definitions: &[(SymbolId, ExprId)],
+) -> Vec<ExprId> {
+    let held = definitions.iter().map(|(symbol, _)| *symbol);
+    let all: Vec<SymbolId> = by.iter().copied().chain(held).collect();
+    let mut adjoints = vec![Vec::new(); all.len()];
+    let mut sweep = vec![(function, graph.one(), whole(1))];
+    for place in (by.len()..=all.len()).rev() {
+        for (part, share, coefficient) in sweep {
+            let partials = gradient(graph, part, &all);
+            for (adjoint, partial) in adjoints.iter_mut().zip(partials) {
+                adjoint.push((graph.multiply(share, partial), coefficient.clone()));
+            }
+        }
+        let Some(definition) = place.checked_sub(by.len() + 1) else {
+            break;
+        };
+        let adjoint = graph.sum(std::mem::take(&mut adjoints[place - 1]));
+        let adjoint = over_common_divisor(graph, adjoint);
+        sweep = shares(graph, adjoint, definitions[definition]);
+    }
+    let adjoints = adjoints.into_iter().take(by.len());
+    let partials = adjoints.map(|adjoint| {
+        let partial = graph.sum(adjoint);
+        over_common_divisor(graph, partial)
+    });
+    partials.collect()
+}
+
+/// What a held product passes on to its factors: factor, share, rational coefficient.
+fn shares(
+    graph: &mut Graph,
+    adjoint: ExprId,
+    (symbol, product): (SymbolId, ExprId),
+) -> Vec<(ExprId, ExprId, Rational)> {
+    if graph.as_number(adjoint).is_some_and(Zero::is_zero) {
+        return Vec::new();
+    }
+    let Node::Product(factors) = graph.node(product).clone() else {
+        // Rewriting has made something simpler of it.
+        return vec![(product, adjoint, whole(1))];
+    };
+    let value = graph.symbol_expression(symbol);
+    let mut shares = Vec::new();
+    for (factor, exponent) in &factors {
+        // Over the product itself, which all its inputs share, where that divides by nothing that may be 0.
+        let slope = match graph.node(*factor) {
+            Node::Symbol(_) if !graph.sign(*factor).zero => graph.divide(value, *factor),
+            _ => {
+                let mut others = factors.clone();
+                others.push((*factor, -1));
+                graph.product(others)
+            }
+        };
+        let share = graph.multiply(adjoint, slope);
+        shares.push((*factor, share, whole(i64::from(*exponent))));
+    }
+    shares
 }
 
 /// The sweeps for one gradient: one for the function, and one for each alternative of a choice in it.

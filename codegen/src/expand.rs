@@ -20,7 +20,8 @@ use crate::emit::columns;
 use crate::emit::namer::table_function;
 use crate::emit::scalar::{self, Form};
 use crate::factor::circuit::Circuit;
-use crate::factor::{self, Outputs};
+use crate::factor::identities::merge_held;
+use crate::factor::{self, Held, Outputs};
 use crate::graph::{ExprId, Graph, Node, SymbolId};
 use crate::latex::Symbols;
 use crate::parse::attributes::{Request, Target, root};
@@ -73,6 +74,8 @@ pub struct Formula {
     pub value: Value,
     /// Its numbers.
     pub roots: Vec<ExprId>,
+    /// The same with named products held, where a gradient is asked for.
+    pub held: Option<Held>,
 }
 
 impl Formula {
@@ -218,11 +221,36 @@ impl Expansion {
             .insert(function.name(), in_order(function, &graph, named));
         let (graph, roots) = rewrite::rewrite(&graph, &numbers);
         let value = value.with_numbers(&mut roots.iter().copied());
+        let gradient = function
+            .request
+            .as_ref()
+            .is_some_and(|request| request.gradient.is_some());
+        let held = gradient.then(|| self.held(function, &graph)).flatten();
         Some(Formula {
             graph,
             value,
             roots,
+            held,
         })
+    }
+
+    /// The formula once more, with its named products held.
+    fn held(&mut self, function: &Function, graph: &Graph) -> Option<Held> {
+        let mut reader = Reader::holding(&self.module, &mut self.tables, graph);
+        let value = reader.read(function)?;
+        let definitions = reader.definitions.unwrap_or_default();
+        let values = value.numbers().into_iter().map(|(_, id)| id).collect();
+        let outputs = Outputs {
+            values,
+            ..Outputs::default()
+        };
+        let held = Held {
+            graph: reader.graph,
+            outputs,
+            definitions,
+        };
+        // What cancels between products that are held is seen only in their values, and is not to be derived.
+        (!held.definitions.is_empty()).then(|| merge_held(&held).rewritten())
     }
 
     /// Reports a result that no code can be generated for.
@@ -375,7 +403,10 @@ impl Expansion {
         let formula = self.formula(&function.name())?;
         let by = if form == Form::Value { Vec::new() } else { by };
         let (graph, outputs) = derive(formula, form, &by);
-        let circuit = factor::minimise(&graph, &outputs);
+        let held = (form == Form::Gradient)
+            .then(|| derive_held(formula, &by))
+            .flatten();
+        let circuit = factor::minimise_with(&graph, &outputs, held.as_ref());
         self.use_tables(&graph, &circuit);
         let documentation = documentation(function, &graph, form, &by, circuit.cost());
         let value = &self.formula(&function.name())?.value;
@@ -585,6 +616,28 @@ pub fn forms_module(function: &Function, items: &[TokenStream]) -> TokenStream {
     }
 }
 
+/// The formula's numbers with their gradients, over its held products.
+pub fn derive_held(formula: &Formula, by: &[SymbolId]) -> Option<Held> {
+    let mut held = formula.held.clone()?;
+    held.outputs.by = by.to_vec();
+    for root in &held.outputs.values {
+        let gradient = differentiate::gradient_held(&mut held.graph, *root, by, &held.definitions);
+        held.outputs.gradients.push(gradient);
+    }
+    name_partials(&mut held.graph, &held.outputs);
+    Some(held.rewritten())
+}
+
+/// Suggests names for the first partials.
+fn name_partials(graph: &mut Graph, outputs: &Outputs) {
+    for gradient in &outputs.gradients {
+        for (partial, symbol) in gradient.iter().zip(&outputs.by) {
+            let name = format!("d_{}", identifier(&graph.symbol(*symbol).name));
+            graph.suggest_name(*partial, &name);
+        }
+    }
+}
+
 /// The formula's numbers with the partials that a form asks for, rewritten.
 pub fn derive(formula: &Formula, form: Form, by: &[SymbolId]) -> (Graph, Outputs) {
     let mut graph = formula.graph.clone();
@@ -611,14 +664,7 @@ pub fn derive(formula: &Formula, form: Form, by: &[SymbolId]) -> (Graph, Outputs
             outputs.hessians.push(triangle.collect());
         }
     }
-    if form > Form::Value {
-        for gradient in &outputs.gradients {
-            for (partial, symbol) in gradient.iter().zip(by) {
-                let name = format!("d_{}", identifier(&graph.symbol(*symbol).name));
-                graph.suggest_name(*partial, &name);
-            }
-        }
-    }
+    name_partials(&mut graph, &outputs);
     for triangle in &outputs.hessians {
         let pairs = (0..by.len()).flat_map(|row| (row..by.len()).map(move |column| (row, column)));
         for (second, (row, column)) in triangle.iter().zip(pairs) {

@@ -15,6 +15,7 @@ pub mod homogeneous;
 pub mod identities;
 pub mod lower;
 pub mod quotients;
+pub mod repeats;
 pub mod rounding;
 
 use std::num::NonZero;
@@ -24,6 +25,7 @@ use crate::factor::circuit::Circuit;
 use crate::factor::extract::ORDERS;
 use crate::factor::rounding::Reference;
 use crate::graph::{ExprId, Graph, SymbolId};
+use crate::parse::body::held::Definitions;
 use crate::{differentiate, rewrite};
 
 /// The numbers that one generated function gives.
@@ -66,22 +68,60 @@ impl Outputs {
     }
 }
 
+/// The same numbers over named products that are held as symbols.
+#[derive(Clone, Debug)]
+pub struct Held {
+    /// The graph, whose first symbols are those of the other form.
+    pub graph: Graph,
+    /// The numbers.
+    pub outputs: Outputs,
+    /// What each held symbol is, over the symbols before it.
+    pub definitions: Definitions,
+}
+
+impl Held {
+    /// The numbers, then the products.
+    fn all(&self) -> Vec<ExprId> {
+        let products = self.definitions.iter().map(|(_, product)| *product);
+        self.outputs.all().into_iter().chain(products).collect()
+    }
+
+    /// The same, rewritten.
+    pub fn rewritten(&self) -> Self {
+        let (graph, all) = rewrite::rewrite(&self.graph, &self.all());
+        let (outputs, products) = all.split_at(all.len() - self.definitions.len());
+        let symbols = self.definitions.iter().map(|(symbol, _)| *symbol);
+        Self {
+            graph,
+            outputs: self.outputs.with_all(outputs),
+            definitions: symbols.zip(products.iter().copied()).collect(),
+        }
+    }
+}
+
 /// What a form that stays in the range of numbers far from 1 may cost beyond an eighth of the cheapest.
 const ONE_DIVISION: usize = 8;
 
 /// The circuit with the fewest operations that was found for these outputs, among those that round no worse than the
 /// formula as its author wrote it.
 pub fn minimise(graph: &Graph, outputs: &Outputs) -> Circuit {
+    minimise_with(graph, outputs, None)
+}
+
+/// The same with another form to choose from.
+pub fn minimise_with(graph: &Graph, outputs: &Outputs, held: Option<&Held>) -> Circuit {
     let all = outputs.all();
     let tables = graph;
     let reference = Reference::of(graph, &all);
     let mut merged = vec![unified(graph, &all)];
     merged.extend(forward(graph, outputs).map(|(graph, all)| unified(&graph, &all)));
     let as_written = rewrite::rewrite(graph, &all);
+    let mut held = held.map(held_forms).unwrap_or_default();
     for graphs in [merged, vec![as_written]] {
         let lowered = graphs
             .into_iter()
-            .flat_map(|(graph, roots)| lowered_forms(graph, roots, outputs));
+            .flat_map(|(graph, roots)| lowered_forms(graph, roots, outputs))
+            .chain(std::mem::take(&mut held));
         let mut circuits = extracted(&lowered.collect::<Vec<_>>());
         circuits.sort_by_key(|circuit| circuit.cost().weight());
         let mut sound = circuits
@@ -131,6 +171,18 @@ fn extracted(lowered: &[Circuit]) -> Vec<Circuit> {
     (0..ways.len()).filter_map(next).collect()
 }
 
+/// The circuits of held products.
+fn held_forms(held: &Held) -> Vec<Circuit> {
+    let held = identities::merge_held(held).rewritten();
+    let symbols: Vec<SymbolId> = held.definitions.iter().map(|(symbol, _)| *symbol).collect();
+    let all = held.all();
+    let mut forms = lowered_forms(held.graph, all, &held.outputs);
+    for form in &mut forms {
+        form.define(&symbols);
+    }
+    forms
+}
+
 /// Equal expressions as one.
 fn unified(graph: &Graph, all: &[ExprId]) -> (Graph, Vec<ExprId>) {
     let merged = identities::merge(graph, all);
@@ -177,6 +229,10 @@ fn lowered_forms(graph: Graph, roots: Vec<ExprId>, outputs: &Outputs) -> Vec<Cir
     let ways = [(graph, roots), merged, factored, joined, remerged].into_iter();
     for (mut graph, roots) in ways.chain(exponentials.into_iter().map(again)) {
         let rebuilt = homogeneous::rebuild_values(&mut graph, &outputs.with_all(&roots));
+        let rebuilt = rebuilt.map(|mut rebuilt| {
+            rebuilt.extend(roots.iter().skip(rebuilt.len()));
+            rebuilt
+        });
         for roots in [Some(roots), rebuilt].into_iter().flatten() {
             let form = lower::lower(&graph, &roots);
             if !forms.iter().any(|known| known.is_same(&form)) {

@@ -12,9 +12,9 @@ mod support;
 use std::cell::Cell;
 
 use codegen::emit::scalar::Form;
-use codegen::expand::{Expansion, Generated, derive};
+use codegen::expand::{Expansion, Generated, derive, derive_held};
 use codegen::factor::circuit::{Circuit, Operation};
-use codegen::graph::SymbolId;
+use codegen::graph::{Graph, SymbolId};
 use codegen::interpret::{evaluate, evaluate_circuit};
 use codegen::parse::attributes::{StageRequest, Target};
 use codegen::stage::Staged;
@@ -134,6 +134,51 @@ fn as_written_as_interpreted_and_as_generated_are_equal() {
     assert!(
         compared.get() > 700 && derivatives.get() > 3000,
         "{compared:?} values, {derivatives:?} derivatives compared"
+    );
+}
+
+#[test]
+fn gradients_over_held_products_are_those_of_the_reverse_mode() {
+    let (compared, held_products) = (Cell::new(0), Cell::new(0));
+    let outcome = runner(120).run(&(random_module(), points()), |(module, points)| {
+        let mut expansion = expansion(&module.source());
+        let by = generated(&mut expansion, "formula", Form::Gradient).by;
+        let formula = expansion.formula("formula").unwrap();
+        let Some(held) = derive_held(formula, &by) else {
+            return Ok(());
+        };
+        let (graph, outputs) = derive(formula, Form::Gradient, &by);
+        held_products.set(held_products.get() + held.definitions.len());
+        for at in &points {
+            let input = |name: &str| {
+                let position = INPUTS.iter().position(|known| *known == name);
+                Bounded::exact(position.map_or(f64::NAN, |position| at[position]))
+            };
+            let inputs = |graph: &Graph| -> Vec<Bounded> {
+                graph
+                    .symbols()
+                    .map(|(_, symbol)| input(&symbol.name))
+                    .collect()
+            };
+            let mut symbols = inputs(&held.graph);
+            for (symbol, product) in &held.definitions {
+                symbols[symbol.index()] = evaluate(&held.graph, &[*product], &symbols).unwrap()[0];
+            }
+            let known = evaluate(&graph, &outputs.all(), &inputs(&graph)).unwrap();
+            let found = evaluate(&held.graph, &held.outputs.all(), &symbols).unwrap();
+            for (known, found) in known.iter().zip(&found) {
+                if known.is_known() && found.is_known() {
+                    prop_assert!(known.agrees(*found), "{known:?} became {found:?} at {at:?}");
+                    compared.set(compared.get() + 1);
+                }
+            }
+        }
+        Ok(())
+    });
+    outcome.unwrap_or_else(|error| panic!("{error}"));
+    assert!(
+        compared.get() > 500 && held_products.get() > 50,
+        "{compared:?} numbers compared, {held_products:?} products held"
     );
 }
 

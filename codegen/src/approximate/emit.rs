@@ -7,6 +7,9 @@ use super::piecewise::PiecewisePolynomial;
 use crate::cost::Cost;
 use crate::emit::literal::float;
 
+/// Of so many pieces the numbers are chosen in all rows of a pack at once, if it has eight; else each row looks up its own.
+const MOST_CHOSEN: usize = 16;
+
 impl PiecewisePolynomial {
     /// The function `fn name(x: f64) -> f64` with the same bits as
     /// [`evaluate`](Self::evaluate).
@@ -57,7 +60,7 @@ impl PiecewisePolynomial {
     }
 
     /// The function `fn pack_name(x: Pack) -> Pack` with the same bits as `name`, which [`emit`](Self::emit) gives: Horner's
-    /// rule for a single piece, row by row where the rows may lie on different pieces.
+    /// rule, row by row where there are many pieces on which the rows may lie.
     pub fn emit_for_packs(&self, name: &Ident, pack_name: &Ident) -> TokenStream {
         let documentation = format!(" [`{name}()`] of each row of a pack.");
         let body = match self.coefficients() {
@@ -77,6 +80,15 @@ impl PiecewisePolynomial {
                     }
                 }
             }
+            pieces if pieces.len() <= MOST_CHOSEN => {
+                let chosen = self.chosen();
+                quote! {
+                    if ::lanes::Pack::<S>::LENGTH < 8 {
+                        return x.map(#name);
+                    }
+                    #chosen
+                }
+            }
             _ => quote!(x.map(#name)),
         };
         quote! {
@@ -85,6 +97,41 @@ impl PiecewisePolynomial {
             fn #pack_name<S: ::lanes::Simd>(x: ::lanes::Pack<S>) -> ::lanes::Pack<S> {
                 #body
             }
+        }
+    }
+
+    /// Horner's rule in each row with the numbers of its own piece, chosen by comparisons: the bits of the rule row by row.
+    fn chosen(&self) -> TokenStream {
+        let breakpoints = self.breakpoints();
+        let inner = &breakpoints[1..breakpoints.len() - 1];
+        let begins: Vec<Ident> = (1..=inner.len())
+            .map(|i| format_ident!("begin_{i}"))
+            .collect();
+        let bounds = inner.iter().copied().map(float);
+        let of_piece = |numbers: Vec<f64>| {
+            let mut numbers = numbers.into_iter().map(float);
+            let first = numbers.next();
+            let chosen = quote!(::lanes::Pack::splat(simd, #first));
+            begins.iter().zip(numbers).fold(
+                chosen,
+                |before, (begin, number)| quote!(#begin.select_le(x, ::lanes::Pack::splat(simd, #number), #before)),
+            )
+        };
+        let pieces = 0..self.coefficients().len();
+        let center = of_piece(pieces.clone().map(|piece| self.center(piece)).collect());
+        let scale = of_piece(pieces.map(|piece| self.scale(piece)).collect());
+        let coefficients = self.coefficients();
+        let mut falling = (0..=self.degree())
+            .rev()
+            .map(|power| of_piece(coefficients.iter().map(|row| row[power]).collect()));
+        let first = falling.next();
+        quote! {
+            let simd = x.simd();
+            #(let #begins = ::lanes::Pack::splat(simd, #bounds);)*
+            let t = (x - #center) * #scale;
+            let value = #first;
+            #(let value = value * t + #falling;)*
+            value
         }
     }
 

@@ -211,7 +211,9 @@ impl Circuit {
     fn closed_sum(&mut self, terms: Vec<(Net, Rational)>) -> Net {
         let mut collected: BTreeMap<Net, Rational> = BTreeMap::new();
         for (operand, coefficient) in terms {
-            rational::collect(&mut collected, operand, coefficient);
+            if !self.as_number(operand).is_some_and(Zero::is_zero) {
+                rational::collect(&mut collected, operand, coefficient);
+            }
         }
         collected.retain(|_, coefficient| !coefficient.is_zero());
         let terms: Vec<_> = collected.into_iter().collect();
@@ -230,6 +232,9 @@ impl Circuit {
     pub fn product(&mut self, factors: impl IntoIterator<Item = (Net, u32)>) -> Net {
         let mut collected: BTreeMap<Net, u32> = BTreeMap::new();
         for (operand, power) in factors {
+            if power > 0 && self.as_number(operand).is_some_and(Zero::is_zero) {
+                return operand;
+            }
             if power > 0 && !self.as_number(operand).is_some_and(One::is_one) {
                 *collected.entry(operand).or_insert(0) += power;
             }
@@ -252,6 +257,18 @@ impl Circuit {
     pub fn tidy_by_inputs(&mut self) {
         let symbols = self.live_symbols();
         self.rebuild(&symbols);
+    }
+
+    /// Puts the last outputs, one for each symbol, in the places of the symbols.
+    pub fn define(&mut self, symbols: &[SymbolId]) {
+        let results = self.outputs.len().saturating_sub(symbols.len());
+        let definitions = self.outputs.split_off(results);
+        for (symbol, definition) in symbols.iter().zip(definitions) {
+            if let Some(&net) = self.index.get(&Operation::Symbol(*symbol)) {
+                self.replace(net, Operation::Sum(vec![(definition, Rational::one())]));
+            }
+        }
+        self.tidy();
     }
 
     fn rebuild(&mut self, first: &[(Net, SymbolId)]) {

@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use num_traits::{One, Signed, Zero};
 
 use super::circuit::{Circuit, Net, Operation};
-use super::{coefficients, quotients};
+use super::{coefficients, quotients, repeats};
 use crate::graph::{Rational, rational};
 
 /// One kind of extraction.
@@ -62,6 +62,7 @@ pub fn extract(circuit: &mut Circuit, steps: &[Step]) {
         }
         circuit.tidy();
     }
+    repeats::merge(circuit);
     divide_by_lone_divisors(circuit);
     share_multiples(circuit);
     circuit.tidy();

@@ -10,7 +10,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use num_bigint::BigInt;
 use num_traits::ToPrimitive;
 
-use crate::graph::{ExprId, Graph, Node, Rational, SymbolId};
+use crate::graph::{ExprId, Function, Graph, Node, Rational, SymbolId};
 
 /// The prime 2⁶¹ − 1.
 const PRIME: u64 = (1 << 61) - 1;
@@ -127,6 +127,23 @@ pub fn symbol_at(symbol: SymbolId, point: u64) -> Residue {
     Residue(scramble(scramble(point) ^ (symbol.index() as u64)))
 }
 
+/// The value of a function that is no sum or product, drawn by its kind and its operands.
+pub fn drawn(kind: u64, point: u64, operands: impl Iterator<Item = Residue>) -> Residue {
+    let start =
+        scramble(kind.wrapping_mul(0x0001_0000_0001) ^ point.wrapping_mul(0xD6E8_FEB8_6659_FD93));
+    Residue(operands.fold(start, |seed, operand| scramble(seed ^ operand.0)))
+}
+
+/// A number for each function, to draw its values by.
+pub fn kind_of(function: Function) -> u64 {
+    1 + function as u64
+}
+
+/// A number for each derivative of a tabulated function.
+pub fn kind_of_table(table: usize, order: usize) -> u64 {
+    2000 + 64 * (table as u64) + (order as u64)
+}
+
 /// The value of a node at a point from the values of its operands.
 pub fn node_at(
     graph: &Graph,
@@ -135,14 +152,7 @@ pub fn node_at(
     value: impl Fn(ExprId) -> Residue,
 ) -> Residue {
     let drawn = |kind: u64, operands: &[ExprId]| {
-        let start = scramble(
-            kind.wrapping_mul(0x0001_0000_0001) ^ point.wrapping_mul(0xD6E8_FEB8_6659_FD93),
-        );
-        Residue(
-            operands
-                .iter()
-                .fold(start, |seed, operand| scramble(seed ^ value(*operand).0)),
-        )
+        drawn(kind, point, operands.iter().map(|operand| value(*operand)))
     };
     match graph.node(id) {
         Node::Number(number) => Residue::rational(number),
@@ -166,13 +176,13 @@ pub fn node_at(
                     product.times(base.power(u64::from(exponent.unsigned_abs())))
                 })
         }
-        Node::Apply(function, operands) => drawn(1 + *function as u64, operands),
+        Node::Apply(function, operands) => drawn(kind_of(*function), operands),
         Node::Tabulated {
             table,
             order,
             argument,
         } => drawn(
-            2000 + 64 * (*table as u64) + (*order as u64),
+            kind_of_table(*table, *order),
             std::slice::from_ref(argument),
         ),
         Node::Integral {

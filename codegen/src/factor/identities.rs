@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use super::Held;
 use super::fingerprint::{Fingerprint, Residue, is_zero, node_at, without_sign};
 use crate::graph::{ExprId, Graph, Node, Rational, whole};
 
@@ -17,6 +18,30 @@ pub fn merge(graph: &Graph, roots: &[ExprId]) -> (Graph, Vec<ExprId>) {
         merger.representative(target, image)
     });
     (target, roots)
+}
+
+/// The same for a form with held products, which have the values of what they are.
+pub fn merge_held(held: &Held) -> Held {
+    let source = &held.graph;
+    let mut graph = Graph::with_symbols_of(source);
+    let (symbols, products): (Vec<_>, Vec<_>) = held.definitions.iter().copied().unzip();
+    let products = source.rebuild(&mut graph, &products, |_, _, image| image);
+    let mut merger = Merger::default();
+    for (symbol, product) in symbols.iter().zip(&products) {
+        let value = merger.fingerprint(&graph, *product);
+        let symbol = graph.symbol_expression(*symbol);
+        merger.enter(symbol, value);
+        let (unsigned, negated) = without_sign(value);
+        merger.known.entry(unsigned).or_insert((symbol, negated));
+    }
+    let all = source.rebuild(&mut graph, &held.outputs.all(), |target, _, image| {
+        merger.representative(target, image)
+    });
+    Held {
+        graph,
+        outputs: held.outputs.with_all(&all),
+        definitions: symbols.into_iter().zip(products).collect(),
+    }
 }
 
 #[derive(Default)]
@@ -45,11 +70,15 @@ impl Merger {
             })
         };
         let fingerprint = [value(0), value(1)];
+        self.enter(id, fingerprint);
+        fingerprint
+    }
+
+    fn enter(&mut self, id: ExprId, fingerprint: Fingerprint) {
         if self.fingerprints.len() <= id.index() {
             self.fingerprints.resize(id.index() + 1, None);
         }
         self.fingerprints[id.index()] = Some(fingerprint);
-        fingerprint
     }
 
     fn representative(&mut self, graph: &mut Graph, id: ExprId) -> ExprId {

@@ -1,6 +1,7 @@
 //! Follows a function's statements with expressions in place of numbers.
 
 mod calls;
+pub mod held;
 mod methods;
 mod result;
 mod statements;
@@ -38,6 +39,8 @@ pub struct Reader<'m> {
     pub partials: BTreeSet<(String, String)>,
     /// The numbers of parameters that the source names, whatever becomes of them.
     pub named: BTreeSet<SymbolId>,
+    /// Named products, where they are held: see [`held`].
+    pub definitions: Option<held::Definitions>,
 }
 
 impl<'m> Reader<'m> {
@@ -51,6 +54,16 @@ impl<'m> Reader<'m> {
             integrals: 0,
             partials: BTreeSet::new(),
             named: BTreeSet::new(),
+            definitions: None,
+        }
+    }
+
+    /// A reader that holds named products, with the symbols and tables of a graph.
+    pub fn holding(module: &'m Module, tables: &'m mut Tables, graph: &Graph) -> Self {
+        Self {
+            graph: Graph::with_symbols_of(graph),
+            definitions: Some(Vec::new()),
+            ..Self::new(module, tables)
         }
     }
 

@@ -67,6 +67,7 @@ pub fn formula(module: &Module, name: &str) -> Formula {
         graph,
         value,
         roots,
+        held: None,
     }
 }
 

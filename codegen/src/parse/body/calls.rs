@@ -219,7 +219,11 @@ impl<'m> Reader<'m> {
         for number in numbers::known(self.module, function) {
             self.graph.symbol_named(&format!("{prefix}{number}"));
         }
-        let value = match self.call_or_table(function, placeholders, span)? {
+        // It is derived by the placeholders, which what is held would hide.
+        let definitions = self.definitions.take();
+        let value = self.call_or_table(function, placeholders, span);
+        self.definitions = definitions;
+        let value = match value? {
             Value::Number(id) => id,
             other => {
                 let message = format!(

@@ -97,9 +97,7 @@ impl<'m> Reader<'m> {
                 if name.by_ref.is_none() && name.mutability.is_none() && name.subpat.is_none() =>
             {
                 let text = name.ident.to_string();
-                if let Some(Value::Number(id)) = &value {
-                    self.graph.suggest_name(*id, &text);
-                }
+                let value = value.map(|value| self.named_number(value, &text));
                 scope.insert(text, value);
                 Some(())
             }

@@ -73,9 +73,7 @@ impl<'m> Reader<'m> {
                     "use a tuple",
                 );
             };
-            if let Value::Number(id) = &value {
-                self.graph.suggest_name(*id, &name.to_string());
-            }
+            let value = self.named_number(value, &name.to_string());
             fields.push((name.to_string(), value));
         }
         complete?;

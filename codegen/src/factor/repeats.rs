@@ -1,0 +1,108 @@
+//! Operations that repeat others: taking sums and products apart leaves parts that are equal, or multiples of each other,
+//! though they are made of other operations, and differences of such parts that are zero.
+
+use std::collections::HashMap;
+
+use num_traits::{One, Zero};
+
+use super::circuit::{Circuit, Net, Operation};
+use super::fingerprint::{Fingerprint, Residue, drawn, is_zero, kind_of, kind_of_table, symbol_at};
+use crate::graph::{Rational, ratio};
+
+/// Makes operations with equal fingerprints one, up to a small rational factor where that takes fewer operations.
+pub fn merge(circuit: &mut Circuit) {
+    let mut values: Vec<Fingerprint> = Vec::new();
+    let mut known: HashMap<Residue, (Net, Fingerprint)> = HashMap::new();
+    for net in circuit.nets() {
+        let value = [0, 1].map(|point| value_at(circuit, net, point as u64, &values));
+        values.push(value);
+        if circuit.as_number(net).is_some() {
+            continue;
+        }
+        if is_zero(value) {
+            circuit.replace(net, Operation::Number(Rational::zero()));
+            continue;
+        }
+        // Multiples of each other have the same ratio of their values.
+        let ratio_of_values = value[1].times(value[0].inverse());
+        let (earlier, other) = *known.entry(ratio_of_values).or_insert((net, value));
+        let factor = value[0].times(other[0].inverse()).as_fraction();
+        let Some((numerator, denominator)) = factor.filter(|_| earlier != net) else {
+            continue;
+        };
+        let cost = circuit.cost_of(net).weight();
+        let saved = cost > usize::from(numerator.abs() != denominator);
+        if saved && numerator != 0 {
+            let factor = ratio(numerator, denominator);
+            circuit.replace(net, Operation::Sum(vec![(earlier, factor)]));
+        }
+    }
+    circuit.tidy();
+}
+
+fn value_at(circuit: &Circuit, net: Net, point: u64, values: &[Fingerprint]) -> Residue {
+    let value = |net: &Net| values[net.index()][point as usize];
+    match circuit.operation(net) {
+        Operation::Number(number) => Residue::rational(number),
+        Operation::Symbol(symbol) => symbol_at(*symbol, point),
+        Operation::Sum(terms) => terms.iter().fold(Residue::ZERO, |sum, (operand, factor)| {
+            let factor = if factor.is_one() {
+                Residue::ONE
+            } else {
+                Residue::rational(factor)
+            };
+            sum.plus(value(operand).times(factor))
+        }),
+        Operation::Product(factors) => factors.iter().fold(Residue::ONE, |product, (factor, n)| {
+            product.times(value(factor).power(u64::from(*n)))
+        }),
+        Operation::Quotient(numerator, denominator) => match value(denominator) {
+            // A division by zero is no number, least of all zero.
+            Residue::ZERO => drawn(3_000_000, point, [value(numerator)].into_iter()),
+            divisor => value(numerator).times(divisor.inverse()),
+        },
+        Operation::Apply(function, operands) => {
+            drawn(kind_of(*function), point, operands.iter().map(value))
+        }
+        Operation::Tabulated {
+            table,
+            order,
+            argument,
+        } => drawn(
+            kind_of_table(*table, *order),
+            point,
+            [value(argument)].into_iter(),
+        ),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::graph::{Graph, whole};
+
+    #[test]
+    fn a_multiple_is_found_and_a_difference_of_equals_is_zero() {
+        let mut graph = Graph::new();
+        let mut circuit = Circuit::default();
+        let [a, b] = ["a", "b"].map(|name| {
+            let symbol = graph.symbol_named(name);
+            circuit.push(Operation::Symbol(symbol))
+        });
+        let sum = circuit.sum([(a, whole(1)), (b, whole(1))]);
+        let squares = circuit.product([(sum, 2)]);
+        let crossed = circuit.product([(a, 1), (b, 1)]);
+        let parts = [circuit.product([(a, 2)]), circuit.product([(b, 2)])];
+        let opened = circuit.sum([
+            (parts[0], whole(3)),
+            (parts[1], whole(3)),
+            (crossed, whole(6)),
+        ]);
+        let nothing = circuit.sum([(opened, whole(1)), (squares, whole(-3))]);
+        circuit.outputs = vec![squares, opened, nothing];
+        merge(&mut circuit);
+        assert_eq!(circuit.cost().operations(), 3);
+        let zero = circuit.as_number(circuit.outputs[2]);
+        assert_eq!(zero, Some(&Rational::zero()));
+    }
+}
