@@ -8,6 +8,7 @@ pub mod expression;
 mod layout;
 pub mod literal;
 pub mod namer;
+mod roots;
 pub mod scalar;
 pub mod staged;
 

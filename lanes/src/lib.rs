@@ -16,6 +16,7 @@ extern crate self as lanes;
 mod kernel;
 mod level;
 mod pack;
+mod root;
 mod trigonometry;
 
 pub use fearless_simd::Simd;
