@@ -32,15 +32,18 @@ pub(super) fn by_multiplication(circuit: &Circuit) -> BTreeSet<Net> {
     chosen.map(|(_, net)| *net).collect()
 }
 
-/// How many roots of a body of this cost are better computed by multiplications.
+/// How many roots of a body of this cost are better computed by multiplications. None where that saves less than a quarter:
+/// such a root is longer in coming, and of a long body too few packs are under way to hide it.
 fn balanced(cost: &Cost) -> usize {
-    let time = |moved: &usize| {
+    let time = |moved: usize| {
         let divider = ROOT * (cost.sqrt - moved) + QUOTIENT * cost.div;
         let multipliers = cost.mul + CALL * cost.call + ROOT_BY_MULTIPLICATION * moved;
         divider.max(multipliers)
     };
     // Of equal times the first, with the fewest roots moved.
-    (0..=cost.sqrt).min_by_key(time).unwrap_or(0)
+    let best = (0..=cost.sqrt).min_by_key(|moved| time(*moved));
+    best.filter(|moved| 4 * time(*moved) <= 3 * time(0))
+        .unwrap_or(0)
 }
 
 #[cfg(test)]
@@ -63,6 +66,11 @@ mod tests {
         assert_eq!(moved(2, 0, 8), 1);
         assert_eq!(moved(4, 0, 8), 2);
         assert_eq!(moved(2, 4, 8), 2);
+    }
+
+    #[test]
+    fn little_is_not_worth_it() {
+        assert_eq!(moved(6, 4, 80), 0);
     }
 
     #[test]
