@@ -5,7 +5,7 @@
 
 use std::thread;
 
-use lanes::{ALL, Consumer, Kernel, Level, Pack, Simd, fold, store};
+use lanes::{ALL, Consumer, Kernel, Level, Pack, Simd, fold, store, stream};
 use rotor_core::equations::both_widths::along_crack_angle as widths_along_angle;
 use rotor_core::equations::both_widths_squared::along_crack_angle as squares_along_angle;
 use rotor_core::equations::{Coefficients, both_widths, widths_support_arm};
@@ -289,14 +289,13 @@ fn grid_sigma_phi(bench: &mut Bench) -> Outcome {
         return Ok(());
     };
     let tables = tables::<Along, TABLES>(&inputs::angles(size))?;
-    let rows = sir.chunks_mut(size).zip(cir.chunks_mut(size));
-    for (depth, (sir, cir)) in inputs::depths(size).into_iter().zip(rows) {
-        let fixed = fixed(&row_coefficients(depth)?);
-        let tables = tables.each_ref().map(Vec::as_slice);
-        store::<Points, ALL, FIXED, TABLES, 2>(Level::best(), &fixed, tables, [sir, cir])
-            .map_err(columns_error)?;
-    }
-    Ok(())
+    let depths = inputs::depths(size).into_iter();
+    let fixed = depths.map(|depth| row_coefficients(depth).map(|c| fixed(&c)));
+    let fixed: Vec<[f64; FIXED]> = fixed.collect::<Result<_, _>>()?;
+    let results = sir.chunks_mut(size).zip(cir.chunks_mut(size));
+    let lines = fixed.into_iter().zip(results.map(|(sir, cir)| [sir, cir]));
+    let tables = tables.each_ref().map(Vec::as_slice);
+    stream::<Points, ALL, FIXED, TABLES, 2>(Level::best(), tables, lines).map_err(columns_error)
 }
 
 fn grid_fill(bench: &mut Bench) -> Outcome {

@@ -1,13 +1,15 @@
 //! Circuits to Rust.
 //!
 //! [`literal`] and [`namer`] alone decide how numbers and temporaries are written; [`expression`] puts an operation into
-//! tokens, [`scalar`] and [`columns`] put a function around them; `layout` breaks the lines of their text.
+//! tokens, [`scalar`] and [`columns`] put a function around them; `roots` shares roots between divider and multipliers;
+//! `layout` breaks the lines of their text.
 
 pub mod columns;
 pub mod expression;
 mod layout;
 pub mod literal;
 pub mod namer;
+mod roots;
 pub mod scalar;
 pub mod staged;
 

@@ -5,6 +5,7 @@ use thiserror::Error;
 
 use crate::level::{self, Body, Level};
 use crate::pack::Pack;
+use crate::stream::Stream;
 
 /// A generated body: `RESULTS` numbers of a row, from `FIXED` numbers that all rows share and `ALONG` of its own.
 pub trait Kernel<const FIXED: usize, const ALONG: usize, const RESULTS: usize> {
@@ -68,23 +69,40 @@ pub fn store<K, const WANTED: u64, const FIXED: usize, const ALONG: usize, const
 where
     K: Kernel<FIXED, ALONG, RESULTS>,
 {
-    let lengths = results.iter().map(|column| column.len()).enumerate();
-    let mut wanted = lengths.filter(|(position, _)| is_wanted(WANTED, *position));
-    let Some((_, rows)) = wanted.next() else {
-        return Ok(());
-    };
-    check(along.iter().map(|column| column.len()).enumerate(), rows)?;
-    let places = wanted.map(|(position, length)| (ALONG + position, length));
-    check(places, rows)?;
-    let store = Store::<'_, K, WANTED, FIXED, ALONG, RESULTS> {
-        rows,
-        fixed,
-        along,
-        results,
-        kernel: std::marker::PhantomData,
-    };
+    let store = Store::<'_, K, WANTED, FIXED, ALONG, RESULTS>::new(fixed, along, results)?;
     level::run(level, store);
     Ok(())
+}
+
+/// Evaluates a kernel for the rows of a grid, line after line, and writes past the caches where the level is AVX-512. It
+/// is for grids of more results than the caches hold; what is read soon is better off with [`store`].
+///
+/// Each line has its fixed numbers and its results, `along` is that of all. For `WANTED` see [`store`].
+///
+/// # Errors
+/// Columns of different lengths; lines before are written.
+pub fn stream<
+    'a,
+    K,
+    const WANTED: u64,
+    const FIXED: usize,
+    const ALONG: usize,
+    const RESULTS: usize,
+>(
+    level: Level,
+    along: [&[f64]; ALONG],
+    lines: impl Iterator<Item = ([f64; FIXED], [&'a mut [f64]; RESULTS])>,
+) -> Result<(), LengthError>
+where
+    K: Kernel<FIXED, ALONG, RESULTS>,
+{
+    let kernel = std::marker::PhantomData::<K>;
+    let lines = Lines::<'_, K, _, WANTED, FIXED, ALONG, RESULTS> {
+        along,
+        lines,
+        kernel,
+    };
+    level::run(level, lines)
 }
 
 /// Evaluates a kernel that has no fixed numbers for every row, on the [best level](Level::best), and writes all results.
@@ -110,6 +128,79 @@ struct Store<'a, K, const WANTED: u64, const FIXED: usize, const ALONG: usize, c
     kernel: std::marker::PhantomData<K>,
 }
 
+impl<'a, K, const WANTED: u64, const FIXED: usize, const ALONG: usize, const RESULTS: usize>
+    Store<'a, K, WANTED, FIXED, ALONG, RESULTS>
+where
+    K: Kernel<FIXED, ALONG, RESULTS>,
+{
+    /// Of columns of the same length; of no rows where no result is wanted.
+    fn new(
+        fixed: &'a [f64; FIXED],
+        along: [&'a [f64]; ALONG],
+        results: [&'a mut [f64]; RESULTS],
+    ) -> Result<Self, LengthError> {
+        let lengths = results.iter().map(|column| column.len()).enumerate();
+        let mut wanted = lengths.filter(|(position, _)| is_wanted(WANTED, *position));
+        let mut rows = 0;
+        if let Some((_, length)) = wanted.next() {
+            rows = length;
+            check(along.iter().map(|column| column.len()).enumerate(), rows)?;
+            let places = wanted.map(|(position, length)| (ALONG + position, length));
+            check(places, rows)?;
+        }
+        Ok(Self {
+            rows,
+            fixed,
+            along,
+            results,
+            kernel: std::marker::PhantomData,
+        })
+    }
+
+    /// The first row at which packs are lines of the cache, in the first result that is wanted.
+    #[inline(always)]
+    fn first_line<S: Simd>(&self) -> usize {
+        let mut columns = self.results.iter().enumerate();
+        let first = columns.find(|(position, _)| is_wanted(WANTED, *position));
+        first.map_or(0, |(_, column)| Stream::first_row::<S>(column))
+    }
+
+    /// All rows, past the caches with a stream.
+    #[inline(always)]
+    fn write<S: Simd>(mut self, simd: S, stream: Option<&Stream>) {
+        let fixed = self.fixed.map(
+            #[inline(always)]
+            |number| Pack::splat(simd, number),
+        );
+        let length = Pack::<S>::LENGTH;
+        // The pack before the first line overlaps with it: both write the same.
+        let first = stream.map_or(0, |_| self.first_line::<S>());
+        let mut row = 0;
+        while row + length <= self.rows {
+            let values = K::evaluate(simd, fixed, packs(simd, &self.along, row));
+            for (position, (column, value)) in self.results.iter_mut().zip(values).enumerate() {
+                if is_wanted(WANTED, position) {
+                    let slice = &mut column[row..row + length];
+                    match stream {
+                        Some(stream) => stream.store(value, slice),
+                        None => value.store(slice),
+                    }
+                }
+            }
+            row = if row < first { first } else { row + length };
+        }
+        if row < self.rows {
+            let values = K::evaluate(simd, fixed, tails(simd, &self.along, row));
+            for (position, (column, value)) in self.results.iter_mut().zip(values).enumerate() {
+                if is_wanted(WANTED, position) {
+                    let tail = &mut column[row..];
+                    tail.copy_from_slice(&value.as_slice()[..tail.len()]);
+                }
+            }
+        }
+    }
+}
+
 impl<K, const WANTED: u64, const FIXED: usize, const ALONG: usize, const RESULTS: usize> Body
     for Store<'_, K, WANTED, FIXED, ALONG, RESULTS>
 where
@@ -118,30 +209,43 @@ where
     type Output = ();
 
     #[inline(always)]
-    fn run<S: Simd>(mut self, simd: S) {
-        let fixed = self.fixed.map(
-            #[inline(always)]
-            |number| Pack::splat(simd, number),
-        );
-        let length = Pack::<S>::LENGTH;
-        let whole = self.rows - self.rows % length;
-        for row in (0..whole).step_by(length) {
-            let values = K::evaluate(simd, fixed, packs(simd, &self.along, row));
-            for (position, (column, value)) in self.results.iter_mut().zip(values).enumerate() {
-                if is_wanted(WANTED, position) {
-                    value.store(&mut column[row..row + length]);
-                }
-            }
+    fn run<S: Simd>(self, simd: S) {
+        self.write(simd, None);
+    }
+}
+
+/// The lines of a grid.
+struct Lines<
+    'a,
+    K,
+    I,
+    const WANTED: u64,
+    const FIXED: usize,
+    const ALONG: usize,
+    const RESULTS: usize,
+> {
+    along: [&'a [f64]; ALONG],
+    lines: I,
+    kernel: std::marker::PhantomData<K>,
+}
+
+impl<'a, K, I, const WANTED: u64, const FIXED: usize, const ALONG: usize, const RESULTS: usize> Body
+    for Lines<'_, K, I, WANTED, FIXED, ALONG, RESULTS>
+where
+    K: Kernel<FIXED, ALONG, RESULTS>,
+    I: Iterator<Item = ([f64; FIXED], [&'a mut [f64]; RESULTS])>,
+{
+    type Output = Result<(), LengthError>;
+
+    #[inline(always)]
+    fn run<S: Simd>(self, simd: S) -> Result<(), LengthError> {
+        let stream = Stream::begin(simd);
+        for (fixed, results) in self.lines {
+            let line =
+                Store::<'_, K, WANTED, FIXED, ALONG, RESULTS>::new(&fixed, self.along, results)?;
+            line.write(simd, Some(&stream));
         }
-        if whole < self.rows {
-            let values = K::evaluate(simd, fixed, tails(simd, &self.along, whole));
-            for (position, (column, value)) in self.results.iter_mut().zip(values).enumerate() {
-                if is_wanted(WANTED, position) {
-                    let tail = &mut column[whole..];
-                    tail.copy_from_slice(&value.as_slice()[..tail.len()]);
-                }
-            }
-        }
+        Ok(())
     }
 }
 

@@ -1,25 +1,28 @@
 //! The SIMD layer under generated code: one generic body per formula, run at the widest level that the machine has.
 //!
 //! A generated kernel is a [`Kernel`]: straight-line arithmetic over a [`Pack`] of rows, with no loop, no memory and no
-//! level in it. The loops are here: [`store`] writes results to columns, [`fold`] consumes them where they arise, so that
-//! a reduction needs no output array.
+//! level in it. The loops are here: [`store`] writes results to columns, [`stream`] writes a grid past the caches, [`fold`]
+//! consumes results where they arise, so that a reduction needs no output array.
 //!
 //! **Invariants**
 //! - A result has the same bits on every [`Level`], in a full pack and in the tail of a column: a body is additions,
-//!   multiplications, divisions and roots in the order in which they are written, nothing is contracted to a fused
-//!   multiplication, and sines and cosines are this crate's own ([`Pack::sin`], [`Pack::cos`]).
-//! - There is no `unsafe`; the instructions are those of the crate `fearless_simd`, whose tokens prove that the machine
-//!   has them.
+//!   multiplications, divisions and roots in the order in which they are written, nothing of it is contracted to a fused
+//!   multiplication, and sines and cosines are this crate's own ([`Pack::sin`], [`Pack::cos`]). Within
+//!   [`Pack::sqrt_by_multiplication`] multiplications are fused, and what it gives is rounded as any other root.
+//! - The instructions are those of the crate `fearless_simd`, whose tokens prove that the machine has them. `unsafe` is the
+//!   store past the caches and nothing else.
 
 extern crate self as lanes;
 
 mod kernel;
 mod level;
 mod pack;
+mod root;
+mod stream;
 mod trigonometry;
 
 pub use fearless_simd::Simd;
-pub use kernel::{ALL, Consumer, Kernel, LengthError, fold, rows, store};
+pub use kernel::{ALL, Consumer, Kernel, LengthError, fold, rows, store, stream};
 pub use level::{Level, UnknownLevel};
 pub use pack::Pack;
 pub use trigonometry::EXACT_BEYOND;

@@ -5,6 +5,8 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use fearless_simd::{Select, Simd, SimdBase, SimdFloat};
 
+use crate::root;
+
 /// As many numbers as the instructions of `S` take at once, with the arithmetic of `f64`.
 #[derive(Clone, Copy)]
 pub struct Pack<S: Simd> {
@@ -79,6 +81,13 @@ impl<S: Simd> Pack<S> {
     #[inline(always)]
     pub fn sqrt(self) -> Self {
         self.with(self.numbers.sqrt())
+    }
+
+    /// Square root with the same bits, by multiplications where the instructions allow: for code that has the divider do
+    /// other roots or divisions meanwhile.
+    #[inline(always)]
+    pub fn sqrt_by_multiplication(self) -> Self {
+        self.with(root::by_multiplication(self.simd, self.numbers))
     }
 
     /// Absolute value.

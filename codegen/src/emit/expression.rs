@@ -8,6 +8,7 @@ use quote::{format_ident, quote};
 
 use super::literal;
 use super::namer::{LONGEST, Namer, method, pack_table_function, table_function};
+use super::roots;
 use crate::factor::circuit::{Circuit, Net, Operation};
 use crate::graph::{Function, Graph, Rational, SymbolId};
 
@@ -63,6 +64,8 @@ pub struct Writer<'a> {
     circuit: &'a Circuit,
     symbol: &'a dyn Fn(SymbolId) -> TokenStream,
     numbers: Numbers,
+    /// Roots that leave the divider to others.
+    by_multiplication: BTreeSet<Net>,
     namer: Namer,
 }
 
@@ -97,6 +100,7 @@ impl<'a> Writer<'a> {
             circuit,
             symbol,
             numbers: Numbers::Single,
+            by_multiplication: BTreeSet::new(),
             namer: Namer::new(taken.into_iter().chain(tables)),
         }
     }
@@ -105,6 +109,7 @@ impl<'a> Writer<'a> {
     pub fn in_packs(self) -> Self {
         Self {
             numbers: Numbers::Packs,
+            by_multiplication: roots::by_multiplication(self.circuit),
             ..self
         }
     }
@@ -276,7 +281,7 @@ impl<'a> Writer<'a> {
                     precedence: Precedence::Product,
                 }
             }
-            Operation::Apply(function, operands) => self.apply(*function, operands),
+            Operation::Apply(function, operands) => self.apply(net, *function, operands),
             Operation::Tabulated {
                 table,
                 order,
@@ -380,7 +385,7 @@ impl<'a> Writer<'a> {
         }
     }
 
-    fn apply(&self, function: Function, operands: &[Net]) -> Piece {
+    fn apply(&self, net: Net, function: Function, operands: &[Net]) -> Piece {
         if let (Function::Select, [a, b, x, y]) = (function, operands) {
             if self.numbers == Numbers::Packs {
                 let a = self.value(*a).at_least(Precedence::Atom);
@@ -393,7 +398,12 @@ impl<'a> Writer<'a> {
                 precedence: Precedence::Choice,
             };
         }
-        let name: Option<Ident> = method(function).map(|name| format_ident!("{name}"));
+        let name = if self.by_multiplication.contains(&net) {
+            Some("sqrt_by_multiplication")
+        } else {
+            method(function)
+        };
+        let name: Option<Ident> = name.map(|name| format_ident!("{name}"));
         let mut operands = operands.iter();
         let receiver = operands.next().map(|operand| self.receiver(*operand));
         let rest = operands.map(|operand| self.value(*operand).tokens);
