@@ -616,9 +616,15 @@ pub fn forms_module(function: &Function, items: &[TokenStream]) -> TokenStream {
     }
 }
 
+/// The most held products that are derived by each other: the work grows with their square.
+const MOST_HELD: usize = 100;
+
 /// The formula's numbers with their gradients, over its held products.
 pub fn derive_held(formula: &Formula, by: &[SymbolId]) -> Option<Held> {
-    let mut held = formula.held.clone()?;
+    let held = formula.held.as_ref();
+    let mut held = held
+        .filter(|held| held.definitions.len() <= MOST_HELD)?
+        .clone();
     held.outputs.by = by.to_vec();
     for root in &held.outputs.values {
         let gradient = differentiate::gradient_held(&mut held.graph, *root, by, &held.definitions);

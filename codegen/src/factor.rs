@@ -22,7 +22,7 @@ use std::num::NonZero;
 use std::thread::available_parallelism;
 
 use crate::factor::circuit::Circuit;
-use crate::factor::extract::ORDERS;
+use crate::factor::extract::{ORDERS, Step};
 use crate::factor::rounding::Reference;
 use crate::graph::{ExprId, Graph, SymbolId};
 use crate::parse::body::held::Definitions;
@@ -99,6 +99,10 @@ impl Held {
     }
 }
 
+/// The size of a form of held products over that without, from which on it is never the cheapest: where an author has given
+/// every product a name, all of these are derived by each other.
+const MOST_OF_HELD: usize = 2;
+
 /// What a form that stays in the range of numbers far from 1 may cost beyond an eighth of the cheapest.
 const ONE_DIVISION: usize = 8;
 
@@ -116,34 +120,110 @@ pub fn minimise_with(graph: &Graph, outputs: &Outputs, held: Option<&Held>) -> C
     let mut merged = vec![unified(graph, &all)];
     merged.extend(forward(graph, outputs).map(|(graph, all)| unified(&graph, &all)));
     let as_written = rewrite::rewrite(graph, &all);
+    let size = graph.reachable(&all).len();
+    let held = held.filter(|held| held.graph.reachable(&held.all()).len() <= MOST_OF_HELD * size);
     let mut held = held.map(held_forms).unwrap_or_default();
     for graphs in [merged, vec![as_written]] {
         let lowered = graphs
             .into_iter()
             .flat_map(|(graph, roots)| lowered_forms(graph, roots, outputs))
             .chain(std::mem::take(&mut held));
-        let mut circuits = extracted(&lowered.collect::<Vec<_>>());
-        circuits.sort_by_key(|circuit| circuit.cost().weight());
-        let mut sound = circuits
-            .into_iter()
-            .filter(|circuit| reference.admits(tables, circuit));
-        if let Some(cheapest) = sound.next() {
-            let most = cheapest.cost().weight() * 9 / 8 + ONE_DIVISION;
-            let affordable = sound.take_while(|circuit| circuit.cost().weight() <= most);
-            let far = std::iter::once(cheapest.clone())
-                .chain(affordable)
-                .find(|circuit| reference.admits_far(tables, circuit));
-            return far.unwrap_or(cheapest);
+        let search = Search::new(lowered.collect());
+        for circuits in search {
+            if let Some(found) = best_of(circuits, &reference, tables) {
+                return found;
+            }
         }
     }
     lower::lower(graph, &all)
 }
 
+/// The cheapest circuit of those that lose no digits, or one that is little dearer and keeps them far from 1 too.
+fn best_of(mut circuits: Vec<Circuit>, reference: &Reference, tables: &Graph) -> Option<Circuit> {
+    circuits.sort_by_key(|circuit| circuit.cost().weight());
+    let mut sound = circuits
+        .into_iter()
+        .filter(|circuit| reference.admits(tables, circuit));
+    let cheapest = sound.next()?;
+    let most = cheapest.cost().weight() * 9 / 8 + ONE_DIVISION;
+    let affordable = sound.take_while(|circuit| circuit.cost().weight() <= most);
+    let far = std::iter::once(cheapest.clone())
+        .chain(affordable)
+        .find(|circuit| reference.admits_far(tables, circuit));
+    Some(far.unwrap_or(cheapest))
+}
+
+/// Works out forms in the orders of extraction: the most promising forms in all orders first, the others only where those
+/// lose digits.
+///
+/// Which form is best shows in one or two orders; trying them all on every form takes three to six times as long and has
+/// found nothing cheaper in any formula that was looked at.
+struct Search {
+    /// The forms with what the first orders made of them, the dearest first.
+    forms: Vec<(Circuit, Vec<Circuit>)>,
+    /// The orders that are left to be tried.
+    rest: Vec<&'static [Step]>,
+}
+
+/// Forms that are worked out together.
+const FORMS: usize = 2;
+
+/// The places of the orders that show which form is best.
+const FIRST_ORDERS: [usize; 2] = [1, 2];
+
+/// The size beyond which a circuit is large, the order that then shows it, and the others that are tried: for large
+/// circuits one of these has been the best.
+const LARGE: usize = 700;
+const FIRST_OF_LARGE: [usize; 1] = [1];
+const REST_OF_LARGE: [usize; 3] = [4, 7, 8];
+
+impl Search {
+    fn new(forms: Vec<Circuit>) -> Self {
+        let is_large = forms.iter().any(|form| form.nets().count() > LARGE);
+        let all = 0..ORDERS.len();
+        let (first, rest): (&[usize], Vec<usize>) = if is_large {
+            (&FIRST_OF_LARGE, REST_OF_LARGE.to_vec())
+        } else {
+            let rest = all.filter(|place| !FIRST_ORDERS.contains(place));
+            (&FIRST_ORDERS, rest.collect())
+        };
+        let orders = |places: &[usize]| places.iter().map(|place| ORDERS[*place]).collect();
+        let (first, rest): (Vec<_>, Vec<_>) = (orders(first), orders(&rest));
+        let mut tried = extracted(&forms, &first).into_iter();
+        let mut forms: Vec<_> = forms
+            .into_iter()
+            .map(|form| (form, tried.by_ref().take(first.len()).collect::<Vec<_>>()))
+            .collect();
+        let least = |(_, tried): &(Circuit, Vec<Circuit>)| {
+            let weights = tried.iter().map(|circuit| circuit.cost().weight());
+            weights.min()
+        };
+        // The first of equals comes first.
+        forms.reverse();
+        forms.sort_by_key(|form| std::cmp::Reverse(least(form)));
+        Self { forms, rest }
+    }
+}
+
+impl Iterator for Search {
+    type Item = Vec<Circuit>;
+
+    fn next(&mut self) -> Option<Vec<Circuit>> {
+        let kept = self.forms.len().saturating_sub(FORMS);
+        let (forms, mut tried): (Vec<_>, Vec<_>) = self.forms.drain(kept..).rev().unzip();
+        if forms.is_empty() {
+            return None;
+        }
+        tried.push(extracted(&forms, &self.rest));
+        Some(tried.into_iter().flatten().collect())
+    }
+}
+
 /// Every circuit in every order of extraction, one after the other; worked out on all cores.
-fn extracted(lowered: &[Circuit]) -> Vec<Circuit> {
+fn extracted(lowered: &[Circuit], orders: &[&[Step]]) -> Vec<Circuit> {
     let ways = lowered
         .iter()
-        .flat_map(|circuit| ORDERS.iter().map(move |order| (circuit, *order)));
+        .flat_map(|circuit| orders.iter().map(move |order| (circuit, *order)));
     let ways: Vec<_> = ways.collect();
     let threads = available_parallelism().map_or(1, NonZero::get);
     let ways = &ways;
