@@ -12,10 +12,11 @@ mod canonical;
 pub(crate) mod rational;
 mod sign;
 
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet};
 use std::hash::{Hash, Hasher};
 
 use num_traits::One;
+use rustc_hash::FxHashMap;
 
 use crate::approximate::piecewise::PiecewisePolynomial;
 pub use rational::{Rational, ratio, whole};
@@ -179,7 +180,7 @@ impl Table {
 pub struct Graph {
     nodes: Vec<Node>,
     signs: Vec<Sign>,
-    index: HashMap<Node, ExprId>,
+    index: FxHashMap<Node, ExprId>,
     symbols: Vec<Symbol>,
     symbol_index: BTreeMap<String, SymbolId>,
     names: BTreeMap<ExprId, String>,
@@ -192,7 +193,7 @@ impl Default for Graph {
         let mut graph = Self {
             nodes: Vec::new(),
             signs: Vec::new(),
-            index: HashMap::new(),
+            index: FxHashMap::default(),
             symbols: Vec::new(),
             symbol_index: BTreeMap::new(),
             names: BTreeMap::new(),

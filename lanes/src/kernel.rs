@@ -178,11 +178,11 @@ where
         let mut row = 0;
         while row + length <= self.rows {
             let values = K::evaluate(simd, fixed, packs(simd, &self.along, row));
-            for (position, (column, value)) in self.results.iter_mut().zip(values).enumerate() {
+            for (position, (column, value)) in self.results.iter_mut().zip(&values).enumerate() {
                 if is_wanted(WANTED, position) {
                     let slice = &mut column[row..row + length];
                     match stream {
-                        Some(stream) => stream.store(value, slice),
+                        Some(stream) => stream.store(*value, slice),
                         None => value.store(slice),
                     }
                 }
@@ -191,7 +191,7 @@ where
         }
         if row < self.rows {
             let values = K::evaluate(simd, fixed, tails(simd, &self.along, row));
-            for (position, (column, value)) in self.results.iter_mut().zip(values).enumerate() {
+            for (position, (column, value)) in self.results.iter_mut().zip(&values).enumerate() {
                 if is_wanted(WANTED, position) {
                     let tail = &mut column[row..];
                     tail.copy_from_slice(&value.as_slice()[..tail.len()]);

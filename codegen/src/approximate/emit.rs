@@ -8,6 +8,7 @@ use crate::cost::Cost;
 use crate::emit::literal::float;
 
 /// Of so many pieces the numbers are chosen in all rows of a pack at once, if it has eight; else each row looks up its own.
+/// It is `lanes::MOST_PIECES`.
 const MOST_CHOSEN: usize = 16;
 
 impl PiecewisePolynomial {
@@ -100,37 +101,41 @@ impl PiecewisePolynomial {
         }
     }
 
-    /// Horner's rule in each row with the numbers of its own piece, chosen by comparisons: the bits of the rule row by row.
+    /// Horner's rule in each row with the numbers of its own piece: the bits of the rule row by row.
     fn chosen(&self) -> TokenStream {
         let breakpoints = self.breakpoints();
         let inner = &breakpoints[1..breakpoints.len() - 1];
-        let begins: Vec<Ident> = (1..=inner.len())
-            .map(|i| format_ident!("begin_{i}"))
-            .collect();
-        let bounds = inner.iter().copied().map(float);
-        let of_piece = |numbers: Vec<f64>| {
-            let mut numbers = numbers.into_iter().map(float);
-            let first = numbers.next();
-            let chosen = quote!(::lanes::Pack::splat(simd, #first));
-            begins.iter().zip(numbers).fold(
-                chosen,
-                |before, (begin, number)| quote!(#begin.select_le(x, ::lanes::Pack::splat(simd, #number), #before)),
-            )
-        };
-        let pieces = 0..self.coefficients().len();
-        let center = of_piece(pieces.clone().map(|piece| self.center(piece)).collect());
-        let scale = of_piece(pieces.map(|piece| self.scale(piece)).collect());
+        let begin_count = Literal::usize_unsuffixed(inner.len());
+        let begins = inner.iter().copied().map(float);
         let coefficients = self.coefficients();
-        let mut falling = (0..=self.degree())
-            .rev()
-            .map(|power| of_piece(coefficients.iter().map(|row| row[power]).collect()));
+        let pieces = 0..coefficients.len();
+        let places = [
+            pieces.clone().map(|piece| self.center(piece)).collect(),
+            pieces.map(|piece| self.scale(piece)).collect(),
+        ];
+        let of_power = |power: usize| coefficients.iter().map(|row| row[power]).collect();
+        let lists = (places.into_iter().chain((0..=self.degree()).map(of_power))).map(
+            // The last piece goes on to the end of the list.
+            |numbers: Vec<f64>| {
+                let last = numbers.last().copied().unwrap_or_default();
+                let padded = numbers.into_iter().chain(std::iter::repeat(last));
+                let padded = padded.take(MOST_CHOSEN).map(float);
+                quote!([#(#padded),*])
+            },
+        );
+        let list_count = Literal::usize_unsuffixed(self.degree() + 3);
+        let list_length = Literal::usize_unsuffixed(MOST_CHOSEN);
+        let mut falling = (2..self.degree() + 3).rev().map(Literal::usize_unsuffixed);
         let first = falling.next();
         quote! {
-            let simd = x.simd();
-            #(let #begins = ::lanes::Pack::splat(simd, #bounds);)*
-            let t = (x - #center) * #scale;
-            let value = #first;
-            #(let value = value * t + #falling;)*
+            /// Where the second and each further piece begins.
+            static BEGINS: [f64; #begin_count] = [#(#begins),*];
+            /// Of all pieces: their middles, 2 / their widths, and the coefficients of t⁰, t¹, ….
+            static LISTS: [[f64; #list_length]; #list_count] = [#(#lists),*];
+            let pieces = x.pieces(&BEGINS);
+            let t = (x - pieces.choose(&LISTS[0])) * pieces.choose(&LISTS[1]);
+            let value = pieces.choose(&LISTS[#first]);
+            #(let value = value * t + pieces.choose(&LISTS[#falling]);)*
             value
         }
     }

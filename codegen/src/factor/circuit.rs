@@ -3,10 +3,11 @@
 //! Unlike the graph's, its sums and products stay as they were taken apart: `(a·b)·c` with a shared `a·b` is two
 //! products.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 use std::hash::{Hash, Hasher};
 
 use num_traits::{One, Signed, Zero};
+use rustc_hash::FxHashMap;
 
 use crate::cost::Cost;
 use crate::graph::{Function, Rational, SymbolId, rational};
@@ -105,7 +106,7 @@ impl Operation {
 #[derive(Clone, Debug, Default)]
 pub struct Circuit {
     operations: Vec<Operation>,
-    index: HashMap<Operation, Net>,
+    index: FxHashMap<Operation, Net>,
     names: BTreeMap<Net, String>,
     /// The results in order.
     pub outputs: Vec<Net>,
