@@ -9,7 +9,9 @@ use lanes::{ALL, Consumer, Kernel, Level, Pack, Simd, fold, store, stream};
 use rotor_core::equations::both_widths::along_crack_angle as widths_along_angle;
 use rotor_core::equations::both_widths_squared::along_crack_angle as squares_along_angle;
 use rotor_core::equations::{Coefficients, both_widths, widths_support_arm};
-use rotor_core::rotor::{NoCoefficients, Rotor, RotorParameters};
+use rotor_core::quantity::Quantity;
+use rotor_core::rotor::INPUTS;
+use rotor_core::table::{self, Column, TableError};
 
 use crate::inputs::{self, BLOCK, ROTOR, STREAM};
 
@@ -20,8 +22,14 @@ pub enum CaseError {
     #[error("{0}")]
     Columns(String),
     /// A row's rotor has no coefficients.
+    #[error("the rotor with the crack depth {depth} has no coefficients")]
+    Rotor {
+        /// The depth over the radius.
+        depth: f64,
+    },
+    /// There is no input or no table of that name.
     #[error(transparent)]
-    Rotor(#[from] NoCoefficients),
+    Table(#[from] TableError),
     /// A thread ended before its work was done.
     #[error("a thread stopped")]
     Thread,
@@ -260,14 +268,39 @@ fn widths_two_threads(bench: &mut Bench) -> Outcome {
     })
 }
 
-/// The coefficients of [`ROTOR`] with another crack depth.
-fn row_coefficients(depth: f64) -> Result<Coefficients, CaseError> {
-    let parameters = RotorParameters {
-        crack_depth_ratio: depth,
-        ..ROTOR
+/// The coefficients of [`ROTOR`] with other crack depths, a row each.
+fn coefficients(depths: &[f64]) -> Result<Vec<Coefficients>, CaseError> {
+    const ASKED: [Quantity; 6] = [
+        Quantity::Beta,
+        Quantity::Gamma,
+        Quantity::Delta,
+        Quantity::Epsilon1,
+        Quantity::Epsilon12,
+        Quantity::Epsilon2,
+    ];
+    let column = INPUTS
+        .iter()
+        .find(|input| input.name == "crack_depth_ratio")
+        .map(|input| Column {
+            input,
+            values: depths,
+        });
+    let found = table::evaluate(&ROTOR, column.as_slice(), &ASKED)?;
+    let row = |(row, depth): (usize, &f64)| {
+        let c = Coefficients {
+            beta: found[0][row],
+            gamma: found[1][row],
+            delta: found[2][row],
+            epsilon_1: found[3][row],
+            epsilon_12: found[4][row],
+            epsilon_2: found[5][row],
+            disk_asymmetry: ROTOR.disk_asymmetry,
+            crack_angle: ROTOR.crack_angle,
+        };
+        let exist = found.iter().all(|column| !column[row].is_nan());
+        exist.then_some(c).ok_or(CaseError::Rotor { depth: *depth })
     };
-    let rotor = Rotor::new(parameters).map_err(columns_error)?;
-    Ok(rotor.coefficients()?)
+    depths.iter().enumerate().map(row).collect()
 }
 
 /// What the angles alone decide, a list for each of their tables.
@@ -289,11 +322,12 @@ fn grid_sigma_phi(bench: &mut Bench) -> Outcome {
         return Ok(());
     };
     let tables = tables::<Along, TABLES>(&inputs::angles(size))?;
-    let depths = inputs::depths(size).into_iter();
-    let fixed = depths.map(|depth| row_coefficients(depth).map(|c| fixed(&c)));
-    let fixed: Vec<[f64; FIXED]> = fixed.collect::<Result<_, _>>()?;
+    let rows = coefficients(&inputs::depths(size))?;
     let results = sir.chunks_mut(size).zip(cir.chunks_mut(size));
-    let lines = fixed.into_iter().zip(results.map(|(sir, cir)| [sir, cir]));
+    let lines = rows
+        .iter()
+        .map(fixed)
+        .zip(results.map(|(sir, cir)| [sir, cir]));
     let tables = tables.each_ref().map(Vec::as_slice);
     stream::<Points, ALL, FIXED, TABLES, 2>(Level::best(), tables, lines).map_err(columns_error)
 }
@@ -353,10 +387,8 @@ fn greatest_widths(bench: &mut Bench, max_rows: usize) -> Outcome {
     let max_angles = bench.sizes.max_angles;
     bench.shaped(2, max_rows);
     let tables = tables::<Along, TABLES>(&inputs::angles(max_angles))?;
-    let rows = inputs::depths(max_rows)
-        .into_iter()
-        .map(|depth| Ok(fixed(&row_coefficients(depth)?)));
-    let rows: Vec<[f64; FIXED]> = rows.collect::<Result<_, CaseError>>()?;
+    let rows = coefficients(&inputs::depths(max_rows))?;
+    let rows: Vec<[f64; FIXED]> = rows.iter().map(fixed).collect();
     for result in &mut bench.results {
         result.fill(0.0);
     }
