@@ -27,4 +27,4 @@ pub use kernel::{ALL, Consumer, Kernel, LengthError, fold, rows, store, stream};
 pub use level::{Level, UnknownLevel};
 pub use pack::Pack;
 pub use pieces::{MOST_PIECES, Pieces};
-pub use trigonometry::EXACT_BEYOND;
+pub use trigonometry::{EXACT_BEYOND, cos, sin};

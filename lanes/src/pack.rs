@@ -53,6 +53,12 @@ impl<S: Simd> Pack<S> {
         self.numbers.as_slice()
     }
 
+    /// The number of the first row.
+    #[inline(always)]
+    pub(crate) fn first(self) -> f64 {
+        self.numbers[0]
+    }
+
     /// The instructions it is made of.
     #[inline(always)]
     pub fn simd(self) -> S {

@@ -10,6 +10,7 @@ use std::f64::consts::FRAC_2_PI;
 use fearless_simd::Simd;
 
 use crate::kernel::Kernel;
+use crate::level::{self, Body, Level};
 use crate::pack::Pack;
 use series::{cosine_remainder, sine_remainder};
 
@@ -38,6 +39,38 @@ mod series {
     #[generate(columns)]
     pub(super) fn cosine_remainder(z: f64) -> f64 {
         integral(|t| (1.0 - t).powi(3) / 6.0 * (z.sqrt() * t).cos(), 0.0..1.0)
+    }
+}
+
+/// Sine of an angle in radians with the bits of [`Pack::sin`].
+pub fn sin(angle: f64) -> f64 {
+    level::run(Level::Baseline, Sine(angle))
+}
+
+/// Cosine of an angle in radians with the bits of [`Pack::cos`].
+pub fn cos(angle: f64) -> f64 {
+    level::run(Level::Baseline, Cosine(angle))
+}
+
+struct Sine(f64);
+
+impl Body for Sine {
+    type Output = f64;
+
+    #[inline(always)]
+    fn run<S: Simd>(self, simd: S) -> f64 {
+        Pack::splat(simd, self.0).sin().first()
+    }
+}
+
+struct Cosine(f64);
+
+impl Body for Cosine {
+    type Output = f64;
+
+    #[inline(always)]
+    fn run<S: Simd>(self, simd: S) -> f64 {
+        Pack::splat(simd, self.0).cos().first()
     }
 }
 

@@ -3,7 +3,7 @@
 
 use rotor_core::quantity::{self, Quantity};
 use rotor_core::rotor::{CrackModel, INPUTS, NumericInput, Rotor, RotorParameters};
-use rotor_core::scan::{Axis, Plan, Scan};
+use rotor_core::scan::{Axis, Control, Distribution, Plan, Reduction, Sampling, Scan, Statistic};
 
 const WIDTHS: [Quantity; 2] = [Quantity::SirWidth, Quantity::CirWidth];
 const ANGLES: [f64; 2] = [0.4, 1.1];
@@ -163,4 +163,53 @@ fn inputs_beyond_any_machine_are_computed_or_refused_as_by_points() {
             }
         }
     }
+}
+
+#[test]
+fn what_is_drawn_beyond_what_an_input_allows_is_no_rotor() {
+    let asymmetry = NumericInput::find("disk_asymmetry").unwrap();
+    let wide = Distribution::Uniform {
+        low: -2.0,
+        high: 2.0,
+    };
+    let axis = Axis::sampled(&[(asymmetry, wide)], 1000, Sampling::Sobol).unwrap();
+    let beyond = (0..1000).filter(|index| axis.value(0, *index).abs() >= 1.0);
+    let beyond = beyond.count() as u64;
+    assert!(beyond > 400);
+    for quantities in [&WIDTHS[..], &[Quantity::SirStart], &[Quantity::C11]] {
+        let scan = Scan::of(&Rotor::default()).vary(axis.clone());
+        let scan = quantities.iter().fold(scan, |scan, q| scan.quantity(*q));
+        let plan = scan.plan().unwrap();
+        let chunk = plan.chunks().next().unwrap();
+        assert_eq!(chunk.counts().no_rotor, beyond, "{quantities:?}");
+        assert_eq!(chunk.quantity(0).missing(), beyond);
+    }
+}
+
+#[test]
+fn extremes_over_the_angle_are_those_of_the_points() {
+    let input = |name| NumericInput::find(name).unwrap();
+    let scan = |statistics: &[Statistic]| {
+        let depths = Axis::listed(input("crack_depth_ratio"), vec![0.0, 0.1, 0.35]).unwrap();
+        let angles = Axis::linear(input("crack_angle"), (0.0, 3.0), 9001).unwrap();
+        let scan = Scan::of(&Rotor::default()).vary(depths).vary(angles);
+        let scan = WIDTHS.iter().fold(scan, |scan, q| scan.quantity(*q));
+        let over = |statistic: &Statistic| Reduction::new(*statistic).over(input("crack_angle"));
+        let reductions = statistics.iter().map(over);
+        let plan = reductions.fold(scan, Scan::reduce).plan().unwrap();
+        plan.reduce(&Control::default()).unwrap()
+    };
+    // Without the points, and with them for the sake of the mean.
+    let extremes = scan(&[Statistic::Maximum, Statistic::Minimum]);
+    let of_points = scan(&[Statistic::Maximum, Statistic::Minimum, Statistic::Mean]);
+    for (found, expected) in extremes.reduced.iter().zip(&of_points.reduced) {
+        for group in 0..3 {
+            for quantity in 0..2 {
+                let [found, expected] =
+                    [found, expected].map(|all| all.value(quantity, group).unwrap());
+                assert!((found / expected - 1.0).abs() < 1e-15, "{found} {expected}");
+            }
+        }
+    }
+    assert_eq!(extremes.counts, of_points.counts);
 }

@@ -64,6 +64,8 @@ pub struct Writer<'a> {
     circuit: &'a Circuit,
     symbol: &'a dyn Fn(SymbolId) -> TokenStream,
     numbers: Numbers,
+    /// Whether single numbers have the sines and cosines of packs.
+    with_sines_of_packs: bool,
     /// Roots that leave the divider to others.
     by_multiplication: BTreeSet<Net>,
     namer: Namer,
@@ -100,8 +102,17 @@ impl<'a> Writer<'a> {
             circuit,
             symbol,
             numbers: Numbers::Single,
+            with_sines_of_packs: false,
             by_multiplication: BTreeSet::new(),
             namer: Namer::new(taken.into_iter().chain(tables)),
+        }
+    }
+
+    /// The same with the sines and cosines that packs have, so that a number alone has the bits of one in a pack.
+    pub fn with_sines_of_packs(self, wanted: bool) -> Self {
+        Self {
+            with_sines_of_packs: wanted,
+            ..self
         }
     }
 
@@ -404,6 +415,10 @@ impl<'a> Writer<'a> {
             method(function)
         };
         let name: Option<Ident> = name.map(|name| format_ident!("{name}"));
+        if self.with_sines_of_packs && matches!(function, Function::Sin | Function::Cos) {
+            let operands = operands.iter().map(|operand| self.value(*operand).tokens);
+            return Piece::atom(quote!(::lanes::#name(#(#operands),*)));
+        }
         let mut operands = operands.iter();
         let receiver = operands.next().map(|operand| self.receiver(*operand));
         let rest = operands.map(|operand| self.value(*operand).tokens);

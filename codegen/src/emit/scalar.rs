@@ -98,7 +98,9 @@ pub fn function(
     let Body {
         statements,
         outputs,
-    } = Writer::new(graph, circuit, &symbol, taken).body();
+    } = Writer::new(graph, circuit, &symbol, taken)
+        .with_sines_of_packs(function.asks_for_columns())
+        .body();
     let count = Literal::usize_unsuffixed(value.numbers().len());
     let by_literal = Literal::usize_unsuffixed(by);
     let mut outputs = outputs.into_iter();

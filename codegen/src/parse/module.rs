@@ -77,6 +77,11 @@ impl Function {
         self.item.sig.ident.to_string()
     }
 
+    /// Whether it is generated over columns too.
+    pub fn asks_for_columns(&self) -> bool {
+        self.request.as_ref().is_some_and(|request| request.columns)
+    }
+
     /// The parameter of that name.
     pub fn parameter(&self, name: &str) -> Option<&Parameter> {
         self.parameters
