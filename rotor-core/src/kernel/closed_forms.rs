@@ -198,91 +198,134 @@ impl ClosedForms {
 
     /// Evaluates what several quantities have in common. None where it cannot be done.
     fn shared(&mut self, trusted: &mut [bool]) -> Option<()> {
-        let rows = self.edge_factor.len();
-        let [
-            mass,
-            diametral,
-            polar,
-            asymmetry,
-            place,
-            length,
-            radius,
-            modulus,
-            poisson,
-            depth,
-            _,
-            angle,
-        ] = &self.inputs;
+        let [_, diametral, polar, ..] = &self.inputs;
         for ((trusted, polar), diametral) in trusted.iter_mut().zip(polar).zip(diametral) {
             *trusted &= polar / diametral <= 2.0;
         }
         if self.needs_compliance {
-            let inputs = crack_compliance::Columns {
-                p_shaft_radius: radius,
-                p_shaft_youngs_modulus: modulus,
-                p_shaft_poissons_ratio: poisson,
-                p_crack_depth_ratio: depth,
-                edge_factor: &self.edge_factor,
-            };
-            crack_compliance::columns(&inputs, sized(&mut self.compliance, rows)).ok()?;
+            self.evaluate_compliance()?;
         }
         if self.needs_stiffness {
-            let [
-                moment_of_force,
-                shear_of_force,
-                moment_of_couple,
-                shear_of_couple,
-            ] = &self.loads;
-            let inputs = stiffness::Columns {
-                p_disk_position_ratio: place,
-                p_shaft_length: length,
-                p_shaft_radius: radius,
-                p_shaft_youngs_modulus: modulus,
-                p_shaft_poissons_ratio: poisson,
-                p_crack_depth_ratio: depth,
-                s_moment_of_force: moment_of_force,
-                s_shear_of_force: shear_of_force,
-                s_moment_of_couple: moment_of_couple,
-                s_shear_of_couple: shear_of_couple,
-                edge_factor: &self.edge_factor,
-            };
-            stiffness::columns(&inputs, sized(&mut self.stiffness, rows)).ok()?;
-            let [k_tt, _, k_mm, ..] = &self.stiffness;
-            require(trusted, k_tt, is_size);
-            require(trusted, k_mm, is_size);
-            for list in &self.stiffness {
-                require(trusted, list, f64::is_finite);
-            }
+            self.evaluate_stiffness(trusted)?;
         }
         if self.needs_coefficients {
-            let [k_tt, k_tm, k_mm, delta_k_tt, delta_k_tm, delta_k_mm] = &self.stiffness;
-            let inputs = coefficients::Columns {
-                p_disk_mass: mass,
-                p_disk_diametral_inertia: diametral,
-                p_disk_polar_inertia: polar,
-                p_disk_asymmetry: asymmetry,
-                p_crack_angle: angle,
-                k_k_tt: k_tt,
-                k_k_tm: k_tm,
-                k_k_mm: k_mm,
-                k_delta_k_tt: delta_k_tt,
-                k_delta_k_tm: delta_k_tm,
-                k_delta_k_mm: delta_k_mm,
-            };
-            coefficients::columns(&inputs, sized(&mut self.coefficients, rows)).ok()?;
-            let [_, gamma, delta, epsilons @ ..] = &self.coefficients;
-            // Without coupling some are limits.
-            require(trusted, gamma, |gamma| is_size(gamma.abs()));
-            require(trusted, delta, is_size);
-            for list in epsilons {
-                require(trusted, list, f64::is_finite);
-            }
+            self.evaluate_coefficients(trusted)?;
+        }
+        Some(())
+    }
+
+    fn evaluate_compliance(&mut self) -> Option<()> {
+        let [.., radius, modulus, poisson, depth, _, _] = &self.inputs;
+        let inputs = crack_compliance::Columns {
+            p_shaft_radius: radius,
+            p_shaft_youngs_modulus: modulus,
+            p_shaft_poissons_ratio: poisson,
+            p_crack_depth_ratio: depth,
+            edge_factor: &self.edge_factor,
+        };
+        let rows = self.edge_factor.len();
+        crack_compliance::columns(&inputs, sized(&mut self.compliance, rows)).ok()
+    }
+
+    fn evaluate_stiffness(&mut self, trusted: &mut [bool]) -> Option<()> {
+        let [.., place, length, radius, modulus, poisson, depth, _, _] = &self.inputs;
+        let [
+            moment_of_force,
+            shear_of_force,
+            moment_of_couple,
+            shear_of_couple,
+        ] = &self.loads;
+        let inputs = stiffness::Columns {
+            p_disk_position_ratio: place,
+            p_shaft_length: length,
+            p_shaft_radius: radius,
+            p_shaft_youngs_modulus: modulus,
+            p_shaft_poissons_ratio: poisson,
+            p_crack_depth_ratio: depth,
+            s_moment_of_force: moment_of_force,
+            s_shear_of_force: shear_of_force,
+            s_moment_of_couple: moment_of_couple,
+            s_shear_of_couple: shear_of_couple,
+            edge_factor: &self.edge_factor,
+        };
+        let rows = self.edge_factor.len();
+        stiffness::columns(&inputs, sized(&mut self.stiffness, rows)).ok()?;
+        let [k_tt, _, k_mm, ..] = &self.stiffness;
+        require(trusted, k_tt, is_size);
+        require(trusted, k_mm, is_size);
+        for list in &self.stiffness {
+            require(trusted, list, f64::is_finite);
+        }
+        Some(())
+    }
+
+    fn evaluate_coefficients(&mut self, trusted: &mut [bool]) -> Option<()> {
+        let [mass, diametral, polar, asymmetry, .., angle] = &self.inputs;
+        let [k_tt, k_tm, k_mm, delta_k_tt, delta_k_tm, delta_k_mm] = &self.stiffness;
+        let inputs = coefficients::Columns {
+            p_disk_mass: mass,
+            p_disk_diametral_inertia: diametral,
+            p_disk_polar_inertia: polar,
+            p_disk_asymmetry: asymmetry,
+            p_crack_angle: angle,
+            k_k_tt: k_tt,
+            k_k_tm: k_tm,
+            k_k_mm: k_mm,
+            k_delta_k_tt: delta_k_tt,
+            k_delta_k_tm: delta_k_tm,
+            k_delta_k_mm: delta_k_mm,
+        };
+        let rows = self.edge_factor.len();
+        coefficients::columns(&inputs, sized(&mut self.coefficients, rows)).ok()?;
+        let [_, gamma, delta, epsilons @ ..] = &self.coefficients;
+        // Without coupling some are limits.
+        require(trusted, gamma, |gamma| is_size(gamma.abs()));
+        require(trusted, delta, is_size);
+        for list in epsilons {
+            require(trusted, list, f64::is_finite);
         }
         Some(())
     }
 
     /// Evaluates a closed form. None where it cannot be done.
     fn quantity(&self, quantity: Quantity, result: &mut [f64], trusted: &mut [bool]) -> Option<()> {
+        let mut allowed: fn(f64) -> bool = f64::is_finite;
+        match origin(quantity) {
+            Origin::Compliance(place) => result.copy_from_slice(&self.compliance[place]),
+            Origin::Coefficient(place) => result.copy_from_slice(&self.coefficients[place]),
+            Origin::ReferenceSpeed => {
+                let (p_disk_mass, k_k_tt) = (&self.inputs[0], &self.stiffness[0]);
+                let inputs = reference_speed::Columns {
+                    p_disk_mass,
+                    k_k_tt,
+                };
+                reference_speed::columns(&inputs, [&mut *result]).ok()?;
+                allowed = is_size;
+            }
+            Origin::Region(kind) => {
+                if kind == RegionKind::Combination {
+                    require(trusted, &self.coefficients[0], |beta| beta < 2.0);
+                }
+                self.of_region(quantity, result)?;
+                if !matches!(
+                    quantity,
+                    Quantity::SirZupAsymmetry | Quantity::CirZupAsymmetry
+                ) {
+                    allowed = is_size;
+                }
+            }
+            Origin::Iteration => return Some(()),
+        }
+        require(trusted, result, allowed);
+        // A zero has no sign.
+        for value in result {
+            *value += 0.0;
+        }
+        Some(())
+    }
+
+    /// Evaluates what a region has in closed form. None where it cannot be done.
+    fn of_region(&self, quantity: Quantity, result: &mut [f64]) -> Option<()> {
         let [
             beta,
             gamma,
@@ -293,77 +336,46 @@ impl ClosedForms {
             asymmetry,
             angle,
         ] = &self.coefficients;
-        macro_rules! of_coefficients {
-            ($equation:ident: $($field:ident $list:ident),*) => {
-                $equation::columns(&$equation::Columns { $($field: $list),* }, [&mut *result])
+        // The equations take the first three, six or all of the coefficients.
+        macro_rules! equation {
+            ($equation:ident $(, $field:ident: $list:ident)*) => {
+                $equation::columns(
+                    &$equation::Columns {
+                        c_beta: beta,
+                        c_gamma: gamma,
+                        c_delta: delta,
+                        $($field: $list),*
+                    },
+                    [result],
+                )
+                .ok()
             };
         }
         macro_rules! width {
             ($equation:ident) => {
-                of_coefficients!($equation: c_beta beta, c_gamma gamma, c_delta delta, c_epsilon_1 epsilon_1,
-                    c_epsilon_12 epsilon_12, c_epsilon_2 epsilon_2, c_disk_asymmetry asymmetry, c_crack_angle angle)
+                equation!(
+                    $equation, c_epsilon_1: epsilon_1, c_epsilon_12: epsilon_12,
+                    c_epsilon_2: epsilon_2, c_disk_asymmetry: asymmetry, c_crack_angle: angle
+                )
             };
         }
         macro_rules! closing {
             ($equation:ident) => {
-                of_coefficients!($equation: c_beta beta, c_gamma gamma, c_delta delta, c_epsilon_1 epsilon_1,
-                    c_epsilon_12 epsilon_12, c_epsilon_2 epsilon_2)
+                equation!(
+                    $equation, c_epsilon_1: epsilon_1, c_epsilon_12: epsilon_12,
+                    c_epsilon_2: epsilon_2
+                )
             };
         }
-        if origin(quantity) == Origin::Region(RegionKind::Combination) {
-            require(trusted, beta, |beta| beta < 2.0);
+        match quantity {
+            Quantity::SirStart => equation!(sir_start),
+            Quantity::CirStart => equation!(cir_start),
+            Quantity::SirWidth => width!(sir_width),
+            Quantity::CirWidth => width!(cir_width),
+            Quantity::SirZupAsymmetry => closing!(sir_zup_asymmetry),
+            Quantity::CirZupAsymmetry => closing!(cir_zup_asymmetry),
+            _ => Some(()),
         }
-        let allowed: fn(f64) -> bool = match quantity {
-            Quantity::SirStart => {
-                of_coefficients!(sir_start: c_beta beta, c_gamma gamma, c_delta delta).ok()?;
-                is_size
-            }
-            Quantity::CirStart => {
-                of_coefficients!(cir_start: c_beta beta, c_gamma gamma, c_delta delta).ok()?;
-                is_size
-            }
-            Quantity::SirWidth => {
-                width!(sir_width).ok()?;
-                is_size
-            }
-            Quantity::CirWidth => {
-                width!(cir_width).ok()?;
-                is_size
-            }
-            Quantity::SirZupAsymmetry => {
-                closing!(sir_zup_asymmetry).ok()?;
-                f64::is_finite
-            }
-            Quantity::CirZupAsymmetry => {
-                closing!(cir_zup_asymmetry).ok()?;
-                f64::is_finite
-            }
-            Quantity::ReferenceSpeed => {
-                let (p_disk_mass, k_k_tt) = (&self.inputs[0], &self.stiffness[0]);
-                let inputs = reference_speed::Columns {
-                    p_disk_mass,
-                    k_k_tt,
-                };
-                reference_speed::columns(&inputs, [&mut *result]).ok()?;
-                is_size
-            }
-            _ => {
-                match origin(quantity) {
-                    Origin::Compliance(place) => result.copy_from_slice(&self.compliance[place]),
-                    Origin::Coefficient(place) => {
-                        result.copy_from_slice(&self.coefficients[place]);
-                    }
-                    _ => return Some(()),
-                }
-                f64::is_finite
-            }
-        };
-        require(trusted, result, allowed);
-        // A zero has no sign.
-        for value in result {
-            *value += 0.0;
-        }
-        Some(())
     }
 }
 
