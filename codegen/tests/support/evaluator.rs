@@ -244,6 +244,13 @@ impl Source {
                 Value::Whole(bits) => Value::number(f64::from_bits(u64::try_from(bits).unwrap())),
                 _ => panic!("bits"),
             },
+            ["lanes", name] => {
+                let Value::Number(operand) = &arguments[0] else {
+                    panic!("operand of {name}")
+                };
+                let value = Bounded::method(name, std::slice::from_ref(operand));
+                Value::Number(value.unwrap_or_else(|| panic!("function {name}")))
+            }
             [name] => self.call(name, &arguments),
             other => panic!("call of {other:?}"),
         }
