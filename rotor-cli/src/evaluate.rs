@@ -183,9 +183,10 @@ impl Evaluation {
     /// Evaluates and writes piece after piece; how many rows there were.
     fn all(&mut self, source: &mut Source, results: &mut Results) -> Result<u64, Failure> {
         let mut count = 0;
+        let encoding = results.encoding().clone();
         let mut pieces = self.read(source)?;
+        let mut parts = Vec::new();
         while !pieces.is_empty() {
-            let encoding = results.encoding();
             let work = |piece: &Piece| {
                 let answers = self.evaluate(piece).map_err(|error| error.to_string());
                 let answers = answers.map_err(Failure::input)?;
@@ -194,19 +195,21 @@ impl Evaluation {
                 let encoded = (!ends).then(|| encoding.encode(&self.columns, piece, &answers));
                 Ok((answers, encoded.transpose()?))
             };
-            // The next pieces are read while these are evaluated.
-            let (done, next) = rayon::join(
+            // While these are evaluated, those before are written and the next ones are read.
+            let (done, (written, next)) = rayon::join(
                 || pieces.par_iter().map(work).collect::<Vec<_>>(),
-                || self.read(source),
+                || (results.add_all(&mut parts), self.read(source)),
             );
+            written?;
             for (piece, answers) in pieces.iter().zip(done) {
                 let (answers, encoded): (Answers, _) = answers?;
                 self.take(piece, &answers)?;
-                results.add(encoded.unwrap_or_default())?;
+                parts.extend(encoded);
                 count += piece.len() as u64;
             }
             pieces = next?;
         }
+        results.add_all(&mut parts)?;
         Ok(count)
     }
 

@@ -41,6 +41,9 @@ fn without_path(error: &io::Error) -> io::Error {
     io::Error::new(error.kind(), what)
 }
 
+/// Bytes that go to a file together.
+const WRITTEN_AT_ONCE: usize = 1 << 20;
+
 /// Up to this size, 8 MiB, what goes to a stream waits in memory, beyond it in a temporary file.
 const MOST_IN_MEMORY: usize = 8 << 20;
 
@@ -107,7 +110,7 @@ impl Destination {
             .map_err(|source| Failure::file("write", path, without_path(&source)))?;
         Ok(Self::Staged {
             unfinished: Unfinished::new(file.path()),
-            file: BufWriter::new(file),
+            file: BufWriter::with_capacity(WRITTEN_AT_ONCE, file),
             target,
             named: path.to_owned(),
         })

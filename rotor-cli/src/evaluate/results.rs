@@ -17,6 +17,7 @@ use crate::files::{Assembler, Format, Layout, number_field, schema};
 use crate::output::Destination;
 
 /// How rows become bytes.
+#[derive(Clone)]
 pub(super) enum Encoding {
     Csv,
     Columns(Layout),
@@ -96,6 +97,15 @@ impl Results {
     pub(super) fn add(&mut self, part: Vec<u8>) -> Result<(), Failure> {
         let added = self.assembler.add(part);
         added.map_err(|source| Failure::stream("write", self.name.as_str(), source))
+    }
+
+    /// Adds those in order, and leaves none.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::add`].
+    pub(super) fn add_all(&mut self, parts: &mut Vec<Vec<u8>>) -> Result<(), Failure> {
+        parts.drain(..).try_for_each(|part| self.add(part))
     }
 
     /// Makes the table appear.

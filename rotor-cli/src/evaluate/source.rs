@@ -23,6 +23,9 @@ use crate::files::Format;
 /// Rows of a piece. Pieces are evaluated side by side, on all cores.
 const ROWS_PER_PIECE: usize = 1 << 14;
 
+/// The same of a file of columns, which takes less memory and has a group of columns for each piece.
+const ROWS_PER_BATCH: usize = 1 << 16;
+
 /// Batches of a file of columns.
 type Batches = Box<dyn Iterator<Item = Result<RecordBatch, ArrowError>> + Send>;
 
@@ -185,7 +188,7 @@ fn parquet_batches(file: File) -> Result<Source, String> {
     let builder =
         ParquetRecordBatchReaderBuilder::try_new(file).map_err(|error| error.to_string())?;
     let schema = SchemaRef::clone(builder.schema());
-    let reader = builder.with_batch_size(ROWS_PER_PIECE).build();
+    let reader = builder.with_batch_size(ROWS_PER_BATCH).build();
     Ok(Source::Columns {
         schema,
         batches: Box::new(reader.map_err(|error| error.to_string())?),
