@@ -104,6 +104,11 @@ def markdown(about):
     return "\n".join(lines)
 
 
+def rate(millions):
+    """Three digits, or all before the point."""
+    return f"{millions:.0f}" if millions >= 100 else f"{millions:.3g}"
+
+
 def chart(about, files):
     import matplotlib
 
@@ -112,14 +117,15 @@ def chart(about, files):
     from matplotlib import pyplot, ticker
 
     figure, axes = pyplot.subplots(len(TITLES), 1, figsize=(8, 11), layout="constrained")
+    longest = max(row[1] / 1e6 for case in TITLES for row in table(about, case))
     for axis, (case, title) in zip(axes, TITLES.items()):
         rows = table(about, case)[::-1]
         colours = ["#0072b2" if row[0] == NAMES["rotor"] else "#999999" for row in rows]
         bars = axis.barh([row[0] for row in rows], [row[1] / 1e6 for row in rows], color=colours)
-        axis.bar_label(bars, fmt="%.3g", padding=3, fontsize=8)
+        axis.bar_label(bars, labels=[rate(row[1] / 1e6) for row in rows], padding=3, fontsize=8)
         axis.set_xscale("log")
-        # All bars start at a million points per second and end before the largest of any chart.
-        axis.set_xlim(1.0, 3000.0)
+        # All bars start at a million points per second; the longest of any chart ends before the axis does.
+        axis.set_xlim(1.0, 2.5 * longest)
         axis.xaxis.set_major_formatter("{x:g}")
         axis.xaxis.set_minor_formatter(ticker.NullFormatter())
         axis.spines[["top", "right"]].set_visible(False)
