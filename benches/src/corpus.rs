@@ -131,7 +131,7 @@ impl Field {
         let mut form = |form| expansion.generate(&function, form, &by).ok_or_else(missing);
         let (value, gradient) = (form(Form::Value)?, form(Form::Gradient)?);
         Ok(Counted {
-            function,
+            function: Function::clone(&function),
             value,
             gradient,
         })

@@ -11,8 +11,6 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use num_traits::Zero;
-
 use crate::graph::{ExprId, Function, Graph, Node, Rational, SymbolId, ratio, whole};
 use crate::rewrite::common::over_common_divisor;
 
@@ -65,7 +63,7 @@ fn shares(
     adjoint: ExprId,
     (symbol, product): (SymbolId, ExprId),
 ) -> Vec<(ExprId, ExprId, Rational)> {
-    if graph.as_number(adjoint).is_some_and(Zero::is_zero) {
+    if graph.as_number(adjoint).is_some_and(Rational::is_zero) {
         return Vec::new();
     }
     let Node::Product(factors) = graph.node(product).clone() else {

@@ -2,8 +2,6 @@
 
 use std::fmt::Write;
 
-use num_traits::{One, Signed, ToPrimitive};
-
 use crate::emit::namer::table_function;
 use crate::factor::circuit::{Circuit, Net, Operation};
 use crate::graph::{Function, Graph, Rational};
@@ -183,7 +181,7 @@ fn edges(circuit: &Circuit, net: Net) -> Vec<Edge> {
 
 /// `−`, `2·`, nothing for 1.
 fn scale(coefficient: &Rational) -> String {
-    match coefficient.abs().is_one() {
+    match coefficient.is_unit() {
         true if coefficient.is_negative() => "−".to_owned(),
         true => String::new(),
         false => format!("{}·", number(coefficient)),

@@ -7,6 +7,7 @@ mod stages;
 mod text;
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::rc::Rc;
 
 use proc_macro2::{Span, TokenStream};
 use quote::{ToTokens, format_ident, quote};
@@ -165,7 +166,11 @@ impl Expansion {
 
     /// Names of the module's functions in order.
     pub fn function_names(&self) -> Vec<String> {
-        self.module.functions.iter().map(Function::name).collect()
+        self.module
+            .functions
+            .iter()
+            .map(|function| function.name())
+            .collect()
     }
 
     /// The module as read.
@@ -197,7 +202,7 @@ impl Expansion {
             return;
         }
         if let Some(function) = self.module.function(name) {
-            let formula = self.formula_of(&function.clone());
+            let formula = self.formula_of(&Rc::clone(function));
             self.formulas.insert(name.to_owned(), formula);
         }
     }

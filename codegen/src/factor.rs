@@ -14,17 +14,16 @@ pub mod fingerprint;
 pub mod homogeneous;
 pub mod identities;
 pub mod lower;
+pub mod pairs;
 pub mod quotients;
 pub mod repeats;
 pub mod rounding;
-
-use std::num::NonZero;
-use std::thread::available_parallelism;
 
 use crate::factor::circuit::Circuit;
 use crate::factor::extract::{ORDERS, Step};
 use crate::factor::rounding::Reference;
 use crate::graph::{ExprId, Graph, SymbolId};
+use crate::parallel::on_all_cores;
 use crate::parse::body::held::Definitions;
 use crate::{differentiate, rewrite};
 
@@ -219,36 +218,17 @@ impl Iterator for Search {
     }
 }
 
-/// Every circuit in every order of extraction, one after the other; worked out on all cores.
+/// Every circuit in every order of extraction, one after the other.
 fn extracted(lowered: &[Circuit], orders: &[&[Step]]) -> Vec<Circuit> {
     let ways = lowered
         .iter()
         .flat_map(|circuit| orders.iter().map(move |order| (circuit, *order)));
     let ways: Vec<_> = ways.collect();
-    let threads = available_parallelism().map_or(1, NonZero::get);
-    let ways = &ways;
-    let mut parts: Vec<_> = std::thread::scope(|scope| {
-        let part = |thread| {
-            scope.spawn(move || {
-                let own = ways.iter().skip(thread).step_by(threads);
-                let extracted = own.map(|(circuit, order)| {
-                    let mut circuit = Circuit::clone(circuit);
-                    extract::extract(&mut circuit, order);
-                    circuit
-                });
-                extracted.collect::<Vec<_>>()
-            })
-        };
-        let started: Vec<_> = (0..threads).map(part).collect();
-        let joined = started.into_iter().map(|part| {
-            part.join()
-                .unwrap_or_else(|panic| std::panic::resume_unwind(panic))
-                .into_iter()
-        });
-        joined.collect()
-    });
-    let next = |way: usize| parts.get_mut(way % threads).and_then(Iterator::next);
-    (0..ways.len()).filter_map(next).collect()
+    on_all_cores(&ways, |(circuit, order)| {
+        let mut circuit = Circuit::clone(circuit);
+        extract::extract(&mut circuit, order);
+        circuit
+    })
 }
 
 /// The circuits of held products.
@@ -296,28 +276,49 @@ fn forward(graph: &Graph, outputs: &Outputs) -> Option<(Graph, Vec<ExprId>)> {
     Some((graph, all))
 }
 
+/// Expressions of a graph.
+type Form = (Graph, Vec<ExprId>);
+
 /// The outputs in every form that may turn out to be cheapest, each once.
 fn lowered_forms(graph: Graph, roots: Vec<ExprId>, outputs: &Outputs) -> Vec<Circuit> {
-    type Form = (Graph, Vec<ExprId>);
-    let again = |(graph, roots): Form| rewrite::rewrite(&graph, &roots);
-    let merged = again(rewrite::roots::without_quotients(&graph, &roots));
-    let factored = again(rewrite::common::take_out(&merged.0, &merged.1));
-    let joined = again(rewrite::roots::join(&factored.0, &factored.1));
-    let remerged = again(rewrite::roots::without_quotients(&joined.0, &joined.1));
-    let exponentials = rewrite::exponentials::forms(&joined.0, &joined.1);
-    let mut forms: Vec<Circuit> = Vec::new();
-    let ways = [(graph, roots), merged, factored, joined, remerged].into_iter();
-    for (mut graph, roots) in ways.chain(exponentials.into_iter().map(again)) {
-        let rebuilt = homogeneous::rebuild_values(&mut graph, &outputs.with_all(&roots));
+    let mut forms = vec![(graph, roots)];
+    let ways = [
+        rewrite::roots::without_quotients,
+        rewrite::common::take_out,
+        rewrite::roots::join,
+        rewrite::roots::without_quotients,
+    ];
+    let mut joined = 0;
+    for (place, way) in ways.into_iter().enumerate() {
+        let last = &forms[forms.len() - 1];
+        if let Some((graph, roots)) = way(&last.0, &last.1) {
+            forms.push(rewrite::rewrite(&graph, &roots));
+        }
+        if place == 2 {
+            joined = forms.len() - 1;
+        }
+    }
+    let (graph, roots) = &forms[joined];
+    let exponentials = rewrite::exponentials::forms(graph, roots).into_iter();
+    let exponentials: Vec<Form> = exponentials
+        .map(|(graph, roots)| rewrite::rewrite(&graph, &roots))
+        .collect();
+    forms.extend(exponentials);
+    let lowered = on_all_cores(&forms, |(graph, roots)| {
+        let mut graph = graph.clone();
+        let rebuilt = homogeneous::rebuild_values(&mut graph, &outputs.with_all(roots));
         let rebuilt = rebuilt.map(|mut rebuilt| {
             rebuilt.extend(roots.iter().skip(rebuilt.len()));
             rebuilt
         });
-        for roots in [Some(roots), rebuilt].into_iter().flatten() {
-            let form = lower::lower(&graph, &roots);
-            if !forms.iter().any(|known| known.is_same(&form)) {
-                forms.push(form);
-            }
+        let ways = [Some(roots.clone()), rebuilt].into_iter().flatten();
+        ways.map(|roots| lower::lower(&graph, &roots))
+            .collect::<Vec<_>>()
+    });
+    let mut forms: Vec<Circuit> = Vec::new();
+    for form in lowered.into_iter().flatten() {
+        if !forms.iter().any(|known| known.is_same(&form)) {
+            forms.push(form);
         }
     }
     forms

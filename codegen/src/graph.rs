@@ -13,9 +13,8 @@ pub(crate) mod rational;
 mod sign;
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::hash::{Hash, Hasher};
+use std::sync::Arc;
 
-use num_traits::One;
 use rustc_hash::FxHashMap;
 
 use crate::approximate::piecewise::PiecewisePolynomial;
@@ -85,7 +84,7 @@ pub enum NamedConstant {
 }
 
 /// One node of the graph.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Node {
     /// An exact rational constant.
     Number(Rational),
@@ -119,31 +118,6 @@ pub enum Node {
         /// Upper bound.
         upper: ExprId,
     },
-}
-
-impl Hash for Node {
-    fn hash<H: Hasher>(&self, state: &mut H) {
-        std::mem::discriminant(self).hash(state);
-        match self {
-            Self::Number(value) => rational::hash_parts(value, state),
-            Self::Constant(name) => name.hash(state),
-            Self::Symbol(symbol) => symbol.hash(state),
-            Self::Sum(terms) => rational::hash_terms(terms, state),
-            Self::Product(factors) => factors.hash(state),
-            Self::Apply(function, operands) => (function, operands).hash(state),
-            Self::Tabulated {
-                table,
-                order,
-                argument,
-            } => (table, order, argument).hash(state),
-            Self::Integral {
-                variable,
-                integrand,
-                lower,
-                upper,
-            } => (variable, integrand, lower, upper).hash(state),
-        }
-    }
 }
 
 /// A symbol: its name as the formula's author writes it, and what is known about its sign.
@@ -180,12 +154,14 @@ impl Table {
 pub struct Graph {
     nodes: Vec<Node>,
     signs: Vec<Sign>,
+    /// Whether no rule of rewriting applies to the node; false where that was not looked at.
+    settled: Vec<bool>,
     index: FxHashMap<Node, ExprId>,
     symbols: Vec<Symbol>,
     symbol_index: BTreeMap<String, SymbolId>,
-    names: BTreeMap<ExprId, String>,
+    names: FxHashMap<ExprId, Arc<str>>,
     /// The tabulated functions that nodes refer to.
-    pub tables: Vec<Table>,
+    pub tables: Arc<Vec<Table>>,
 }
 
 impl Default for Graph {
@@ -193,13 +169,14 @@ impl Default for Graph {
         let mut graph = Self {
             nodes: Vec::new(),
             signs: Vec::new(),
+            settled: Vec::new(),
             index: FxHashMap::default(),
             symbols: Vec::new(),
             symbol_index: BTreeMap::new(),
-            names: BTreeMap::new(),
-            tables: Vec::new(),
+            names: FxHashMap::default(),
+            tables: Arc::default(),
         };
-        graph.intern(Node::Number(Rational::one()));
+        graph.intern(Node::Number(Rational::ONE));
         graph
     }
 }
@@ -287,12 +264,12 @@ impl Graph {
 
     /// Suggests a name for a temporary; the first suggestion stays.
     pub fn suggest_name(&mut self, id: ExprId, name: &str) {
-        self.names.entry(id).or_insert_with(|| name.to_owned());
+        self.names.entry(id).or_insert_with(|| name.into());
     }
 
     /// The suggested name, if any.
     pub fn suggested_name(&self, id: ExprId) -> Option<&str> {
-        self.names.get(&id).map(String::as_str)
+        self.names.get(&id).map(|name| &**name)
     }
 
     fn intern(&mut self, node: Node) -> ExprId {
@@ -302,25 +279,45 @@ impl Graph {
         let id = ExprId(self.nodes.len() as u32);
         let sign = self.derive_sign(&node);
         self.signs.push(sign);
+        self.settled.push(false);
         self.nodes.push(node.clone());
         self.index.insert(node, id);
         id
     }
 
+    /// Whether a node is known to be one that no rule of rewriting applies to.
+    pub fn is_settled(&self, id: ExprId) -> bool {
+        self.settled[id.index()]
+    }
+
+    /// Notes that no rule of rewriting applies to a node.
+    pub fn settle(&mut self, id: ExprId) {
+        self.settled[id.index()] = true;
+    }
+
     /// The operands of a node.
     pub fn operands(&self, id: ExprId) -> Vec<ExprId> {
+        let mut operands = Vec::new();
+        self.each_operand(id, |operand| operands.push(operand));
+        operands
+    }
+
+    /// Calls `visit` with every operand of a node in order.
+    fn each_operand(&self, id: ExprId, mut visit: impl FnMut(ExprId)) {
         match self.node(id) {
-            Node::Number(_) | Node::Constant(_) | Node::Symbol(_) => Vec::new(),
-            Node::Sum(terms) => terms.iter().map(|(operand, _)| *operand).collect(),
-            Node::Product(factors) => factors.iter().map(|(operand, _)| *operand).collect(),
-            Node::Apply(_, operands) => operands.clone(),
-            Node::Tabulated { argument, .. } => vec![*argument],
+            Node::Number(_) | Node::Constant(_) | Node::Symbol(_) => {}
+            Node::Sum(terms) => terms.iter().for_each(|(operand, _)| visit(*operand)),
+            Node::Product(factors) => factors.iter().for_each(|(operand, _)| visit(*operand)),
+            Node::Apply(_, operands) => operands.iter().for_each(|operand| visit(*operand)),
+            Node::Tabulated { argument, .. } => visit(*argument),
             Node::Integral {
                 integrand,
                 lower,
                 upper,
                 ..
-            } => vec![*integrand, *lower, *upper],
+            } => [integrand, lower, upper]
+                .into_iter()
+                .for_each(|operand| visit(*operand)),
         }
     }
 
@@ -330,7 +327,7 @@ impl Graph {
         let mut stack: Vec<ExprId> = roots.to_vec();
         while let Some(id) = stack.pop() {
             if !std::mem::replace(&mut seen[id.index()], true) {
-                stack.extend(self.operands(id));
+                self.each_operand(id, |operand| stack.push(operand));
             }
         }
         (0..self.nodes.len())
@@ -353,10 +350,11 @@ impl Graph {
                     upper,
                     ..
                 } if symbols.contains(variable) => depends[lower.index()] || depends[upper.index()],
-                _ => self
-                    .operands(id)
-                    .iter()
-                    .any(|operand| depends[operand.index()]),
+                _ => {
+                    let mut any = false;
+                    self.each_operand(id, |operand| any |= depends[operand.index()]);
+                    any
+                }
             };
         }
         depends
@@ -384,11 +382,19 @@ impl Graph {
         mut visit: impl FnMut(&mut Graph, ExprId, ExprId) -> ExprId,
     ) -> Vec<ExprId> {
         let mut images: Vec<Option<ExprId>> = vec![None; self.nodes.len()];
+        // What is rebuilt of the same parts stays settled.
+        let mut same = vec![false; self.nodes.len()];
         for id in self.reachable(roots) {
-            let image = self.rebuild_node(target, id, &images);
-            let image = visit(target, id, image);
-            if let Some(name) = self.suggested_name(id) {
-                target.suggest_name(image, name);
+            let rebuilt = self.rebuild_node(target, id, &images);
+            let mut is_same = true;
+            self.each_operand(id, |operand| is_same &= same[operand.index()]);
+            if is_same && self.is_settled(id) {
+                target.settle(rebuilt);
+            }
+            let image = visit(target, id, rebuilt);
+            same[id.index()] = is_same && image == rebuilt;
+            if let Some(name) = self.names.get(&id) {
+                target.names.entry(image).or_insert_with(|| name.clone());
             }
             images[id.index()] = Some(image);
         }

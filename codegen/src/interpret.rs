@@ -2,8 +2,6 @@
 
 use std::collections::BTreeSet;
 
-use num_traits::{ToPrimitive, Zero};
-
 use crate::approximate::piecewise::PiecewisePolynomial;
 use crate::approximate::quadrature::integrate;
 use crate::factor::circuit::{Circuit, Net, Operation};
@@ -136,9 +134,19 @@ fn node_value<T: Number>(
 /// The values of the roots, for values of the symbols in the order in which the graph has them. None where an
 /// integral is among them or a symbol has no value.
 pub fn evaluate<T: Number>(graph: &Graph, roots: &[ExprId], symbols: &[T]) -> Option<Vec<T>> {
+    evaluate_in_order(graph, &graph.reachable(roots), roots, symbols)
+}
+
+/// The same where the expressions that the roots need are known, operands before their users.
+pub fn evaluate_in_order<T: Number>(
+    graph: &Graph,
+    order: &[ExprId],
+    roots: &[ExprId],
+    symbols: &[T],
+) -> Option<Vec<T>> {
     let mut values: Vec<Option<T>> = vec![None; graph.len()];
-    for id in graph.reachable(roots) {
-        let zero = T::rational(&crate::graph::whole(0));
+    let zero = T::rational(&Rational::ZERO);
+    for &id in order {
         let value = node_value(graph, id, symbols, &|operand: ExprId| {
             values[operand.index()]
                 .clone()
@@ -324,14 +332,17 @@ fn elementary(step: &Step, values: &[f64], symbols: &[f64]) -> f64 {
             .map(|(operand, coefficient)| coefficient * values[*operand])
             .sum(),
         Step::Product(factors) => {
-            let power = |positive: bool| -> f64 {
-                let side = factors
-                    .iter()
-                    .filter(|(_, exponent)| (*exponent > 0) == positive);
-                side.map(|(operand, exponent)| values[*operand].powi(exponent.abs()))
-                    .product()
-            };
-            power(true) / power(false)
+            let (mut above, mut below) = (1.0, 1.0);
+            for (operand, exponent) in factors {
+                let value = values[*operand];
+                match exponent {
+                    1 => above *= value,
+                    -1 => below *= value,
+                    2.. => above *= value.powi(*exponent),
+                    _ => below *= value.powi(-exponent),
+                }
+            }
+            above / below
         }
         Step::Apply(function, operands) => match operands.as_slice() {
             [x] => f64::apply(*function, &[values[*x]]),
@@ -384,7 +395,7 @@ fn bound_variables(graph: &Graph, root: ExprId) -> BTreeSet<SymbolId> {
 /// The outputs of a circuit, computed in the order in which its code computes them; `symbols` has a number for each symbol
 /// of its graph.
 pub fn evaluate_circuit<N: Number>(graph: &Graph, circuit: &Circuit, symbols: &[N]) -> Vec<N> {
-    let nothing = || N::rational(&Rational::zero()).divide(&N::rational(&Rational::zero()));
+    let nothing = || N::rational(&Rational::ZERO).divide(&N::rational(&Rational::ZERO));
     let mut values: Vec<N> = Vec::new();
     for net in circuit.nets() {
         let value = |net: &Net| values[net.index()].clone();
@@ -397,7 +408,7 @@ pub fn evaluate_circuit<N: Number>(graph: &Graph, circuit: &Circuit, symbols: &[
                 .iter()
                 .map(|(operand, coefficient)| N::rational(coefficient).multiply(&value(operand)))
                 .reduce(|sum, term| sum.add(&term))
-                .unwrap_or_else(|| N::rational(&Rational::zero())),
+                .unwrap_or_else(|| N::rational(&Rational::ZERO)),
             Operation::Product(factors) => factors
                 .iter()
                 .flat_map(|(operand, power)| std::iter::repeat_n(value(operand), *power as usize))

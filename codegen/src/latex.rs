@@ -7,6 +7,8 @@ mod expression;
 mod piece;
 mod symbols;
 
+use std::rc::Rc;
+
 use syn::visit::Visit;
 use syn::{Expr, Pat, Stmt, Type};
 
@@ -50,7 +52,7 @@ pub fn in_full(module: &Module, symbols: &Symbols, function: &Function) -> syn::
     while let Some(definition) = needed.get(next).cloned() {
         rows.extend(lines(module, symbols, &definition)?.iter().map(Line::text));
         for further in called(module, &definition) {
-            let known = needed.iter().chain([function]);
+            let known = needed.iter().map(Rc::as_ref).chain([function]);
             if known
                 .into_iter()
                 .all(|known| known.name() != further.name())
@@ -64,7 +66,7 @@ pub fn in_full(module: &Module, symbols: &Symbols, function: &Function) -> syn::
 }
 
 /// The formulas of the module that a formula calls, each once, in the order of their first calls.
-fn called(module: &Module, function: &Function) -> Vec<Function> {
+fn called(module: &Module, function: &Function) -> Vec<Rc<Function>> {
     let mut calls = Calls {
         module,
         found: Vec::new(),
@@ -75,7 +77,7 @@ fn called(module: &Module, function: &Function) -> Vec<Function> {
 
 struct Calls<'a> {
     module: &'a Module,
-    found: Vec<Function>,
+    found: Vec<Rc<Function>>,
 }
 
 impl<'ast> Visit<'ast> for Calls<'_> {
@@ -89,7 +91,7 @@ impl<'ast> Visit<'ast> for Calls<'_> {
         if let Some(called) = called
             && self.found.iter().all(|known| known.name() != called.name())
         {
-            self.found.push(called.clone());
+            self.found.push(Rc::clone(called));
         }
         syn::visit::visit_expr_call(self, call);
     }

@@ -132,6 +132,7 @@ pub mod factor;
 pub mod graph;
 pub mod interpret;
 pub mod latex;
+mod parallel;
 pub mod parse;
 pub mod rewrite;
 pub mod show;

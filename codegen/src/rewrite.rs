@@ -36,19 +36,39 @@ pub fn rewrite(graph: &Graph, roots: &[ExprId]) -> (Graph, Vec<ExprId>) {
     let roots = graph.rebuild(&mut target, roots, |target, _, image| {
         simplify(target, image)
     });
-    roots::share(&target, &roots)
+    roots::share(target, roots)
+}
+
+/// Rebuilds the roots with what `change` makes of every node, which is rewritten already; None where it makes nothing of any.
+fn changed(
+    graph: &Graph,
+    roots: &[ExprId],
+    change: fn(&mut Graph, ExprId) -> Option<ExprId>,
+) -> Option<(Graph, Vec<ExprId>)> {
+    let mut target = Graph::with_symbols_of(graph);
+    let mut any = false;
+    let roots = graph.rebuild(&mut target, roots, |target, _, image| {
+        let image = simplify(target, image);
+        let changed = change(target, image);
+        any |= changed.is_some_and(|changed| changed != image);
+        changed.unwrap_or(image)
+    });
+    any.then_some((target, roots))
 }
 
 /// Applies the rules to one node, whose operands are rewritten already, until none applies.
 pub fn simplify(graph: &mut Graph, id: ExprId) -> ExprId {
     let mut current = id;
     for _ in 0..MOST_STEPS {
+        if graph.is_settled(current) {
+            break;
+        }
         match rules::RULES
             .iter()
             .find_map(|rule| (rule.apply)(graph, current).filter(|next| *next != current))
         {
             Some(next) => current = next,
-            None => break,
+            None => graph.settle(current),
         }
     }
     current

@@ -1,5 +1,7 @@
 //! A formula to look at: the code generated from it, its LaTeX, its graph.
 
+use std::rc::Rc;
+
 use proc_macro2::TokenStream;
 use syn::{Attribute, Item, ItemMod, Meta};
 
@@ -90,7 +92,7 @@ pub fn list(expansion: &mut Expansion) -> Vec<Summary> {
     let names = expansion.function_names();
     let summary = |name: String| {
         let function = expansion.module().function(&name).cloned();
-        let about = function.as_ref().map(about).unwrap_or_default();
+        let about = function.as_deref().map(about).unwrap_or_default();
         let cost = function
             .and_then(|function| value(expansion, &function).ok())
             .map(|value| value.circuit.cost());
@@ -201,7 +203,7 @@ pub fn forms(expansion: &mut Expansion, name: &str) -> Result<Vec<Generated>, Sh
     Ok(forms)
 }
 
-fn function(expansion: &Expansion, name: &str) -> Result<Function, ShowError> {
+fn function(expansion: &Expansion, name: &str) -> Result<Rc<Function>, ShowError> {
     expansion.module().function(name).cloned().ok_or_else(|| {
         let known = expansion.function_names();
         let nearest = nearest(name, known.iter().map(String::as_str)).map(ToOwned::to_owned);

@@ -116,11 +116,13 @@ fn forms(graph: &Graph, roots: &[ExprId], inner: &BTreeSet<SymbolId>) -> Vec<(Gr
     let written = rewrite::rewrite(graph, roots);
     let merged = factor::identities::merge(graph, roots);
     let merged = rewrite::rewrite(&merged.0, &merged.1);
-    let factored = rewrite::common::take_out(&merged.0, &merged.1);
-    let factored = rewrite::rewrite(&factored.0, &factored.1);
-    let joined = rewrite::roots::join(&factored.0, &factored.1);
-    let joined = rewrite::rewrite(&joined.0, &joined.1);
-    let forms = [written, merged, factored, joined];
+    let mut forms = vec![written, merged];
+    for way in [rewrite::common::take_out, rewrite::roots::join] {
+        let last = &forms[forms.len() - 1];
+        if let Some((graph, roots)) = way(&last.0, &last.1) {
+            forms.push(rewrite::rewrite(&graph, &roots));
+        }
+    }
     let absorbed = forms
         .iter()
         .map(|(graph, roots)| absorb::into_roots(graph, roots, inner));

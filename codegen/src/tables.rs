@@ -1,10 +1,11 @@
 //! The tabulated functions of a module, each fitted once, when it is first used.
 
 use std::collections::BTreeMap;
+use std::sync::{Mutex, PoisonError};
 
 use crate::approximate::piecewise::{self, FitError};
 use crate::diagnostics::Diagnostics;
-use crate::graph::{Sign, Table};
+use crate::graph::{ExprId, Graph, Sign, SymbolId, Table};
 use crate::interpret::{EvaluateError, Integrator, describe};
 use crate::parse::attributes::Approximation;
 use crate::parse::body::Reader;
@@ -84,13 +85,14 @@ impl Tables {
         } else {
             approximation.tolerance
         };
-        let mut integrator = Integrator::new(&graph, QUADRATURE_SHARE * tolerance);
-        let mut quotient = |x: f64| -> Result<f64, EvaluateError> {
-            let body = integrator.evaluate(body, symbol, x)?;
-            Ok(body / integrator.evaluate(factor, symbol, x)?)
+        let integrators = Integrators {
+            graph: &graph,
+            tolerance: QUADRATURE_SHARE * tolerance,
+            idle: Mutex::default(),
         };
+        let quotient = |x| integrators.quotient([body, factor], symbol, x);
         let fit = piecewise::fit(
-            &mut quotient,
+            &quotient,
             approximation.lower,
             approximation.upper,
             tolerance,
@@ -117,6 +119,32 @@ impl Tables {
                 None
             }
         }
+    }
+}
+
+/// Evaluators of a graph for as many threads as ask for one.
+struct Integrators<'g> {
+    graph: &'g Graph,
+    tolerance: f64,
+    idle: Mutex<Vec<Integrator<'g>>>,
+}
+
+impl Integrators<'_> {
+    /// The quotient of two expressions where the symbol has the given value.
+    fn quotient(
+        &self,
+        of: [ExprId; 2],
+        symbol: SymbolId,
+        value: f64,
+    ) -> Result<f64, EvaluateError> {
+        let idle = || self.idle.lock().unwrap_or_else(PoisonError::into_inner);
+        let taken = idle().pop();
+        let mut integrator = taken.unwrap_or_else(|| Integrator::new(self.graph, self.tolerance));
+        let [numerator, denominator] = of;
+        let numerator = integrator.evaluate(numerator, symbol, value)?;
+        let denominator = integrator.evaluate(denominator, symbol, value)?;
+        idle().push(integrator);
+        Ok(numerator / denominator)
     }
 }
 

@@ -70,7 +70,8 @@ impl Precise {
 
 impl Number for Precise {
     fn rational(value: &Rational) -> Self {
-        Self::decimal(&value.numer().to_string()).divide(&Self::decimal(&value.denom().to_string()))
+        Self::decimal(&value.numerator().to_string())
+            .divide(&Self::decimal(&value.denominator().to_string()))
     }
 
     fn constant(constant: NamedConstant) -> Self {

@@ -2,6 +2,7 @@
 
 use super::chebyshev;
 use super::piecewise::{FitError, MAXIMUM_DEGREE, horner};
+use crate::parallel::on_all_cores;
 
 /// Number of nodes of a draft.
 const NODES: usize = MAXIMUM_DEGREE + 1;
@@ -34,17 +35,17 @@ pub(super) struct Draft {
 
 impl Draft {
     /// Samples the function at 13 nodes.
-    pub(super) fn sample<E>(
+    pub(super) fn sample<E: Send>(
         function: &mut Sampled<'_, E>,
         lower: f64,
         upper: f64,
     ) -> Result<Self, FitError<E>> {
-        let nodes = chebyshev::roots(NODES);
-        let sample = |t| function.at(at(lower, upper, t));
+        let nodes = chebyshev::roots(NODES).into_iter();
+        let nodes: Vec<f64> = nodes.map(|t| at(lower, upper, t)).collect();
         Ok(Self {
             lower,
             upper,
-            values: nodes.into_iter().map(sample).collect::<Result<_, _>>()?,
+            values: function.at(&nodes)?,
         })
     }
 
@@ -69,26 +70,39 @@ impl Draft {
     }
 
     /// Samples the points between the nodes and next to the ends.
-    pub(super) fn complete<E>(self, function: &mut Sampled<'_, E>) -> Result<Piece, FitError<E>> {
+    pub(super) fn complete<E: Send>(
+        self,
+        function: &mut Sampled<'_, E>,
+    ) -> Result<Piece, FitError<E>> {
         let Self {
             lower,
             upper,
             values: known,
         } = self;
         let points = chebyshev::roots(POINTS);
-        let mut values = Vec::with_capacity(POINTS);
-        for (index, &t) in points.iter().enumerate() {
-            values.push(match known.get(index / 3) {
-                Some(&value) if index % 3 == 1 => value,
-                _ => function.at(at(lower, upper, t))?,
-            });
-        }
-        let series = chebyshev::coefficients(&values);
-        let mut samples: Vec<(f64, f64)> = points.into_iter().zip(values).collect();
         let ends = [END_DISTANCE - 1.0, 1.0 - END_DISTANCE];
-        for t in ends.into_iter().chain(free_points(lower, upper)) {
-            samples.push((t, function.at(at(lower, upper, t))?));
-        }
+        let further: Vec<f64> = ends.into_iter().chain(free_points(lower, upper)).collect();
+        // Every third point is a node, whose value is known.
+        let is_new = |(index, t): (usize, &f64)| (index % 3 != 1).then_some(*t);
+        let new = points
+            .iter()
+            .enumerate()
+            .filter_map(is_new)
+            .chain(further.iter().copied());
+        let new: Vec<f64> = new.map(|t| at(lower, upper, t)).collect();
+        let mut new = function.at(&new)?.into_iter();
+        let mut known = known.into_iter();
+        let value = |index: usize| {
+            if index % 3 == 1 {
+                known.next()
+            } else {
+                new.next()
+            }
+        };
+        let values: Vec<f64> = (0..POINTS).filter_map(value).collect();
+        let series = chebyshev::coefficients(&values);
+        let further = further.into_iter().zip(new);
+        let mut samples: Vec<(f64, f64)> = points.into_iter().zip(values).chain(further).collect();
         for (t, _) in &mut samples {
             // The abscissa was rounded, so t is taken back from it as an evaluation will.
             *t = (at(lower, upper, *t) - 0.5 * (lower + upper)) * (2.0 / (upper - lower));
@@ -235,22 +249,28 @@ fn at(lower: f64, upper: f64, t: f64) -> f64 {
 
 /// A function that a fit may be made of: finite, and of one sign.
 pub(super) struct Sampled<'f, E> {
-    function: &'f mut dyn FnMut(f64) -> Result<f64, E>,
+    function: &'f (dyn Fn(f64) -> Result<f64, E> + Sync),
     /// The first point and the sign there.
     first: Option<(f64, f64)>,
 }
 
-impl<'f, E> Sampled<'f, E> {
-    pub(super) fn new(function: &'f mut dyn FnMut(f64) -> Result<f64, E>) -> Self {
+impl<'f, E: Send> Sampled<'f, E> {
+    pub(super) fn new(function: &'f (dyn Fn(f64) -> Result<f64, E> + Sync)) -> Self {
         Self {
             function,
             first: None,
         }
     }
 
-    /// The function's value.
-    fn at(&mut self, x: f64) -> Result<f64, FitError<E>> {
-        let value = (self.function)(x).map_err(|source| FitError::Function { x, source })?;
+    /// The function's values at the points.
+    fn at(&mut self, points: &[f64]) -> Result<Vec<f64>, FitError<E>> {
+        let values = on_all_cores(points, |x| (self.function)(*x));
+        let values = points.iter().zip(values);
+        values.map(|(x, value)| self.checked(*x, value)).collect()
+    }
+
+    fn checked(&mut self, x: f64, value: Result<f64, E>) -> Result<f64, FitError<E>> {
+        let value = value.map_err(|source| FitError::Function { x, source })?;
         if !value.is_finite() {
             return Err(FitError::NotFinite { x, value });
         }

@@ -246,8 +246,8 @@ pub(super) fn horner(coefficients: &[f64], t: f64) -> f64 {
 ///
 /// See [`FitError`]: an unusable interval or tolerance, a function that fails, is not finite or has a zero, or a tolerance that is not met with 64 pieces, or on one of $2^{-30}$ of the interval, with the
 /// error achieved and where.
-pub fn fit<E>(
-    function: &mut dyn FnMut(f64) -> Result<f64, E>,
+pub fn fit<E: Send>(
+    function: &(dyn Fn(f64) -> Result<f64, E> + Sync),
     lower: f64,
     upper: f64,
     tolerance: f64,
@@ -368,8 +368,8 @@ mod tests {
 
     type Fit = Result<PiecewisePolynomial, FitError<Infallible>>;
 
-    fn fit_of(function: impl Fn(f64) -> f64, lower: f64, upper: f64, tolerance: f64) -> Fit {
-        fit(&mut |x| Ok(function(x)), lower, upper, tolerance)
+    fn fit_of(function: impl Fn(f64) -> f64 + Sync, lower: f64, upper: f64, tolerance: f64) -> Fit {
+        fit(&|x| Ok(function(x)), lower, upper, tolerance)
     }
 
     /// Largest relative difference at 2001 points, the ends among them.
@@ -469,7 +469,7 @@ mod tests {
             matches!(pole, Err(FitError::NotFinite { x: 0.5, .. })),
             "{pole:?}"
         );
-        let failing = fit(&mut |_| Err("no value"), 0.0, 1.0, 1e-6);
+        let failing = fit(&|_| Err("no value"), 0.0, 1.0, 1e-6);
         assert!(matches!(
             failing,
             Err(FitError::Function {

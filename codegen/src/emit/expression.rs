@@ -2,7 +2,6 @@
 
 use std::collections::BTreeSet;
 
-use num_traits::{One, Signed};
 use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
 use quote::{format_ident, quote};
 

@@ -1,6 +1,5 @@
 //! Numbers as Rust literals.
 
-use num_traits::ToPrimitive;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 

@@ -2,7 +2,6 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use num_traits::{One, Signed};
 use proc_macro2::{Ident, Span};
 
 use crate::factor::circuit::{Circuit, Net, Operation};
@@ -116,7 +115,7 @@ impl Namer {
         match terms {
             [(x, a)] if *a == whole(2) => Some(format!("twice_{}", word(*x)?)),
             [(x, a)] if *a == ratio(1, 2) => Some(format!("half_{}", word(*x)?)),
-            [(x, a), (y, b)] if a.abs().is_one() && b.abs().is_one() => {
+            [(x, a), (y, b)] if a.is_unit() && b.is_unit() => {
                 let (first, second) = if a.is_positive() { (x, y) } else { (y, x) };
                 let sign = match (a.is_positive(), b.is_positive()) {
                     (true, true) => "plus",

@@ -3,11 +3,10 @@
 //! Unlike the graph's, its sums and products stay as they were taken apart: `(a·b)·c` with a shared `a·b` is two
 //! products.
 
-use std::collections::BTreeMap;
-use std::hash::{Hash, Hasher};
+use std::hash::BuildHasher;
+use std::sync::Arc;
 
-use num_traits::{One, Signed, Zero};
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxBuildHasher, FxHashMap};
 
 use crate::cost::Cost;
 use crate::graph::{Function, Rational, SymbolId, rational};
@@ -24,7 +23,7 @@ impl Net {
 }
 
 /// One operation.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Operation {
     /// A constant.
     Number(Rational),
@@ -47,25 +46,6 @@ pub enum Operation {
         /// The argument.
         argument: Net,
     },
-}
-
-impl Hash for Operation {
-    fn hash<H: Hasher>(&self, state: &mut H) {
-        std::mem::discriminant(self).hash(state);
-        match self {
-            Self::Number(value) => rational::hash_parts(value, state),
-            Self::Symbol(symbol) => symbol.hash(state),
-            Self::Sum(terms) => rational::hash_terms(terms, state),
-            Self::Product(factors) => factors.hash(state),
-            Self::Quotient(numerator, denominator) => (numerator, denominator).hash(state),
-            Self::Apply(function, operands) => (function, operands).hash(state),
-            Self::Tabulated {
-                table,
-                order,
-                argument,
-            } => (table, order, argument).hash(state),
-        }
-    }
 }
 
 impl Operation {
@@ -102,17 +82,32 @@ impl Operation {
     }
 }
 
+fn hash_of(operation: &Operation) -> u64 {
+    FxBuildHasher.hash_one(operation)
+}
+
 /// Operations in order, with the places of the results.
 #[derive(Clone, Debug, Default)]
 pub struct Circuit {
     operations: Vec<Operation>,
-    index: FxHashMap<Operation, Net>,
-    names: BTreeMap<Net, String>,
+    /// Where the last operation of a hash is, if it was not replaced since.
+    index: FxHashMap<u64, Net>,
+    names: FxHashMap<Net, Arc<str>>,
+    /// Whether nothing was added or replaced since it was last tidied.
+    tidy: bool,
     /// The results in order.
     pub outputs: Vec<Net>,
 }
 
 impl Circuit {
+    fn with_capacity(operations: usize) -> Self {
+        Self {
+            operations: Vec::with_capacity(operations),
+            index: FxHashMap::with_capacity_and_hasher(operations, FxBuildHasher),
+            ..Self::default()
+        }
+    }
+
     /// Whether another circuit has the same operations in the same order.
     pub fn is_same(&self, other: &Self) -> bool {
         self.operations == other.operations && self.outputs == other.outputs
@@ -120,13 +115,15 @@ impl Circuit {
 
     /// Adds an operation, or finds the equal one.
     pub fn push(&mut self, operation: Operation) -> Net {
-        if let Some(&net) = self.index.get(&operation) {
-            return net;
+        let new = Net(self.operations.len() as u32);
+        let place = self.index.entry(hash_of(&operation)).or_insert(new);
+        if *place != new && self.operations[place.index()] == operation {
+            return *place;
         }
-        let net = Net(self.operations.len() as u32);
-        self.operations.push(operation.clone());
-        self.index.insert(operation, net);
-        net
+        *place = new;
+        self.tidy = false;
+        self.operations.push(operation);
+        new
     }
 
     /// A constant.
@@ -141,7 +138,10 @@ impl Circuit {
 
     /// Puts another operation in the place of one; its operands may have larger handles until [`Self::tidy`].
     pub fn replace(&mut self, net: Net, operation: Operation) {
-        self.operations[net.index()] = operation;
+        if self.operations[net.index()] != operation {
+            self.tidy = false;
+            self.operations[net.index()] = operation;
+        }
     }
 
     /// All handles in order.
@@ -151,23 +151,33 @@ impl Circuit {
 
     /// Suggests a name; the first stays.
     pub fn suggest_name(&mut self, net: Net, name: &str) {
-        self.names.entry(net).or_insert_with(|| name.to_owned());
+        self.names.entry(net).or_insert_with(|| name.into());
     }
 
     /// The suggested name, if any.
     pub fn suggested_name(&self, net: Net) -> Option<&str> {
-        self.names.get(&net).map(String::as_str)
+        self.names.get(&net).map(|name| &**name)
     }
 
     /// The operands of an operation.
     pub fn operands(&self, net: Net) -> Vec<Net> {
+        let mut operands = Vec::new();
+        self.each_operand(net, |operand| operands.push(operand));
+        operands
+    }
+
+    /// Calls `visit` with every operand of an operation in order.
+    pub fn each_operand(&self, net: Net, mut visit: impl FnMut(Net)) {
         match self.operation(net) {
-            Operation::Number(_) | Operation::Symbol(_) => Vec::new(),
-            Operation::Sum(terms) => terms.iter().map(|(operand, _)| *operand).collect(),
-            Operation::Product(factors) => factors.iter().map(|(operand, _)| *operand).collect(),
-            Operation::Quotient(numerator, denominator) => vec![*numerator, *denominator],
-            Operation::Apply(_, operands) => operands.clone(),
-            Operation::Tabulated { argument, .. } => vec![*argument],
+            Operation::Number(_) | Operation::Symbol(_) => {}
+            Operation::Sum(terms) => terms.iter().for_each(|(operand, _)| visit(*operand)),
+            Operation::Product(factors) => factors.iter().for_each(|(operand, _)| visit(*operand)),
+            Operation::Quotient(numerator, denominator) => {
+                visit(*numerator);
+                visit(*denominator);
+            }
+            Operation::Apply(_, operands) => operands.iter().for_each(|operand| visit(*operand)),
+            Operation::Tabulated { argument, .. } => visit(*argument),
         }
     }
 
@@ -175,9 +185,7 @@ impl Circuit {
     pub fn uses(&self) -> Vec<usize> {
         let mut uses = vec![0; self.operations.len()];
         for net in self.nets() {
-            for operand in self.operands(net) {
-                uses[operand.index()] += 1;
-            }
+            self.each_operand(net, |operand| uses[operand.index()] += 1);
         }
         for output in &self.outputs {
             uses[output.index()] += 1;
@@ -200,7 +208,7 @@ impl Circuit {
             .into_iter()
             .map(|(operand, coefficient)| match self.operation(operand) {
                 Operation::Sum(inner) if inner.len() == 1 => {
-                    (inner[0].0, rational::times(&inner[0].1, &coefficient))
+                    (inner[0].0, &inner[0].1 * &coefficient)
                 }
                 _ => (operand, coefficient),
             })
@@ -210,18 +218,14 @@ impl Circuit {
 
     /// The same with multiples among the operands as they are.
     fn closed_sum(&mut self, terms: Vec<(Net, Rational)>) -> Net {
-        let mut collected: BTreeMap<Net, Rational> = BTreeMap::new();
-        for (operand, coefficient) in terms {
-            if !self.as_number(operand).is_some_and(Zero::is_zero) {
-                rational::collect(&mut collected, operand, coefficient);
-            }
-        }
-        collected.retain(|_, coefficient| !coefficient.is_zero());
-        let terms: Vec<_> = collected.into_iter().collect();
+        let is_zero = |net: Net| self.as_number(net).is_some_and(Rational::is_zero);
+        let mut terms = terms;
+        terms.retain(|(operand, _)| !is_zero(*operand));
+        rational::collect(&mut terms);
         match terms.as_slice() {
-            [] => self.number(Rational::zero()),
+            [] => self.number(Rational::ZERO),
             [(operand, coefficient)] if coefficient.is_one() => *operand,
-            [(operand, coefficient)] if self.as_number(*operand).is_some_and(One::is_one) => {
+            [(operand, coefficient)] if self.as_number(*operand).is_some_and(Rational::is_one) => {
                 let value = coefficient.clone();
                 self.number(value)
             }
@@ -231,18 +235,25 @@ impl Circuit {
 
     /// A product in its simplest form.
     pub fn product(&mut self, factors: impl IntoIterator<Item = (Net, u32)>) -> Net {
-        let mut collected: BTreeMap<Net, u32> = BTreeMap::new();
+        let mut collected: Vec<(Net, u32)> = Vec::new();
         for (operand, power) in factors {
-            if power > 0 && self.as_number(operand).is_some_and(Zero::is_zero) {
-                return operand;
-            }
-            if power > 0 && !self.as_number(operand).is_some_and(One::is_one) {
-                *collected.entry(operand).or_insert(0) += power;
+            match self.as_number(operand) {
+                Some(number) if power > 0 && number.is_zero() => return operand,
+                Some(number) if number.is_one() => {}
+                _ if power > 0 => collected.push((operand, power)),
+                _ => {}
             }
         }
-        let factors: Vec<_> = collected.into_iter().collect();
+        collected.sort_unstable_by_key(|(operand, _)| *operand);
+        let mut factors: Vec<(Net, u32)> = Vec::with_capacity(collected.len());
+        for (operand, power) in collected {
+            match factors.last_mut() {
+                Some((last, powers)) if *last == operand => *powers += power,
+                _ => factors.push((operand, power)),
+            }
+        }
         match factors.as_slice() {
-            [] => self.number(Rational::one()),
+            [] => self.number(Rational::ONE),
             [(operand, 1)] => *operand,
             _ => self.push(Operation::Product(factors)),
         }
@@ -250,7 +261,9 @@ impl Circuit {
 
     /// Drops what no result needs, brings operands before their users, and makes equal operations one.
     pub fn tidy(&mut self) {
-        self.rebuild(&[]);
+        if !self.tidy {
+            self.rebuild(&[]);
+        }
     }
 
     /// The same with the inputs first, in their author's order, and so in sums too: b − a − z with nearly equal a and b and
@@ -265,15 +278,15 @@ impl Circuit {
         let results = self.outputs.len().saturating_sub(symbols.len());
         let definitions = self.outputs.split_off(results);
         for (symbol, definition) in symbols.iter().zip(definitions) {
-            if let Some(&net) = self.index.get(&Operation::Symbol(*symbol)) {
-                self.replace(net, Operation::Sum(vec![(definition, Rational::one())]));
+            if let Some(&net) = self.index.get(&hash_of(&Operation::Symbol(*symbol))) {
+                self.replace(net, Operation::Sum(vec![(definition, Rational::ONE)]));
             }
         }
         self.tidy();
     }
 
     fn rebuild(&mut self, first: &[(Net, SymbolId)]) {
-        let mut tidied = Self::default();
+        let mut tidied = Self::with_capacity(self.operations.len());
         let mut images: Vec<Option<Net>> = vec![None; self.operations.len()];
         // Operands may lie behind their users here, so that this is a depth-first walk with a stack of its own.
         let mut stack: Vec<(Net, bool)> = self
@@ -292,17 +305,14 @@ impl Circuit {
             }
             if !expanded {
                 stack.push((net, true));
-                stack.extend(
-                    self.operands(net)
-                        .into_iter()
-                        .rev()
-                        .map(|operand| (operand, false)),
-                );
+                let first = stack.len();
+                self.each_operand(net, |operand| stack.push((operand, false)));
+                stack[first..].reverse();
                 continue;
             }
             let image = self.image(&mut tidied, net, &images, &uses);
-            if let Some(name) = self.suggested_name(net) {
-                tidied.suggest_name(image, name);
+            if let Some(name) = self.names.get(&net) {
+                tidied.names.entry(image).or_insert_with(|| name.clone());
             }
             images[net.index()] = Some(image);
         }
@@ -312,12 +322,16 @@ impl Circuit {
             .filter_map(|output| images[output.index()])
             .collect();
         *self = tidied.swept();
+        self.tidy = true;
     }
 
     /// The same operations in the same order without those that no result needs: what was opened into its only user.
     fn swept(self) -> Self {
-        let uses = self.live_uses();
-        let mut swept = Self::default();
+        let uses = self.live_uses_in_order();
+        if uses.iter().all(|uses| *uses > 0) {
+            return self;
+        }
+        let mut swept = Self::with_capacity(self.operations.len());
         let mut images: Vec<Net> = Vec::with_capacity(self.operations.len());
         for net in self.nets() {
             if uses[net.index()] == 0 {
@@ -327,8 +341,8 @@ impl Circuit {
             }
             let image = |operand: &Net| images[operand.index()];
             let swept_net = swept.push(self.operation(net).clone().with_operands(image));
-            if let Some(name) = self.suggested_name(net) {
-                swept.suggest_name(swept_net, name);
+            if let Some(name) = self.names.get(&net) {
+                swept.names.entry(swept_net).or_insert_with(|| name.clone());
             }
             images.push(swept_net);
         }
@@ -357,6 +371,9 @@ impl Circuit {
 
     /// How often what the results need uses each operation; 0 for what they do not need.
     pub fn live_uses(&self) -> Vec<usize> {
+        if self.tidy {
+            return self.live_uses_in_order();
+        }
         let mut uses = vec![0_usize; self.operations.len()];
         let mut stack = Vec::new();
         for output in &self.outputs {
@@ -368,9 +385,23 @@ impl Circuit {
             if std::mem::replace(&mut seen[net.index()], true) {
                 continue;
             }
-            for operand in self.operands(net) {
+            self.each_operand(net, |operand| {
                 uses[operand.index()] += 1;
                 stack.push(operand);
+            });
+        }
+        uses
+    }
+
+    /// The same of a circuit whose operands come before their users.
+    fn live_uses_in_order(&self) -> Vec<usize> {
+        let mut uses = vec![0_usize; self.operations.len()];
+        for output in &self.outputs {
+            uses[output.index()] += 1;
+        }
+        for position in (0..self.operations.len()).rev() {
+            if uses[position] > 0 {
+                self.each_operand(Net(position as u32), |operand| uses[operand.index()] += 1);
             }
         }
         uses
@@ -389,9 +420,9 @@ impl Circuit {
                         Operation::Sum(inner)
                             if inner.len() == 1
                                 && (uses[operand.index()] == 1
-                                    || terms.len() == 1 && !coefficient.abs().is_one()) =>
+                                    || terms.len() == 1 && !coefficient.is_unit()) =>
                         {
-                            opened.push((inner[0].0, rational::times(&inner[0].1, coefficient)));
+                            opened.push((inner[0].0, &inner[0].1 * coefficient));
                         }
                         _ => opened.push((image(operand), coefficient.clone())),
                     }
@@ -427,7 +458,7 @@ impl Circuit {
             Operation::Sum(terms) => {
                 cost.add = terms.len().saturating_sub(1);
                 let multiple = |(operand, coefficient): &&(Net, Rational)| {
-                    !coefficient.abs().is_one() && self.as_number(*operand).is_none()
+                    !coefficient.is_unit() && self.as_number(*operand).is_none()
                 };
                 cost.mul = terms.iter().filter(multiple).count();
             }

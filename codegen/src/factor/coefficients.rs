@@ -1,7 +1,5 @@
 //! Coefficients as factors: `2·(a·b)` as the product of 2, a and b, so that `2·a` is shared as any other product is.
 
-use num_traits::{One, Signed};
-
 use super::circuit::{Circuit, Net, Operation};
 use crate::graph::Rational;
 
@@ -26,7 +24,7 @@ pub fn open(circuit: &mut Circuit) {
         let operation = match circuit.operation(sum) {
             Operation::Sum(terms) => Operation::Sum(terms.clone()),
             // A lone positive multiple has become the product itself.
-            _ => Operation::Sum(vec![(sum, Rational::one())]),
+            _ => Operation::Sum(vec![(sum, Rational::ONE)]),
         };
         circuit.replace(net, operation);
     }
@@ -59,7 +57,7 @@ pub fn distribute(circuit: &mut Circuit) {
         let sum = circuit.sum(distributed);
         let operation = match circuit.operation(sum) {
             Operation::Sum(terms) => Operation::Sum(terms.clone()),
-            _ => Operation::Sum(vec![(sum, Rational::one())]),
+            _ => Operation::Sum(vec![(sum, Rational::ONE)]),
         };
         circuit.replace(net, operation);
     }
@@ -67,11 +65,11 @@ pub fn distribute(circuit: &mut Circuit) {
 
 fn is_power_of_two(value: &Rational) -> bool {
     let is_power = |number: &num_bigint::BigInt| number.magnitude().count_ones() == 1;
-    !value.abs().is_one() && is_power(value.numer()) && is_power(value.denom())
+    !value.is_unit() && is_power(&value.numerator()) && is_power(&value.denominator())
 }
 
 fn is_multiple(circuit: &Circuit, operand: Net, coefficient: &Rational) -> bool {
-    !coefficient.abs().is_one() && circuit.as_number(operand).is_none()
+    !coefficient.is_unit() && circuit.as_number(operand).is_none()
 }
 
 /// For each operation, in how many places it has a coefficient.
@@ -97,7 +95,7 @@ fn product(circuit: &mut Circuit, operand: Net, size: Rational, open: bool) -> N
     // A number among the factors is one with the size.
     factors.retain(|(factor, power)| match circuit.as_number(*factor) {
         Some(value) => {
-            size *= num_traits::Pow::pow(value, *power);
+            size *= &value.pow(power.cast_signed());
             false
         }
         None => true,

@@ -27,9 +27,9 @@ const ZERO_BITS: usize = 130;
 pub fn value(function: Function, operands: &[Rational]) -> Option<Rational> {
     match (function, operands) {
         (Function::Sign, [x]) => Some(if x.is_negative() {
-            -Rational::one()
+            -Rational::ONE
         } else {
-            Rational::one()
+            Rational::ONE
         }),
         (Function::Min, [x, y]) => Some(x.min(y).clone()),
         (Function::Max, [x, y]) => Some(x.max(y).clone()),
@@ -46,7 +46,7 @@ fn one() -> BigInt {
 }
 
 fn fixed(value: &Rational) -> BigInt {
-    (value.numer() << BITS).div_floor(value.denom())
+    (value.numerator() << BITS).div_floor(&value.denominator())
 }
 
 fn product(left: &BigInt, right: &BigInt) -> BigInt {
@@ -105,10 +105,10 @@ fn exponential(x: &Rational) -> Option<Rational> {
 
 fn logarithm(x: &Rational) -> Rational {
     // x = m·2^k with m between 1/2 and 2.
-    let power = x.numer().bits() as i64 - x.denom().bits() as i64;
+    let power = x.numerator().bits() as i64 - x.denominator().bits() as i64;
     let scale = Rational::from_integer(BigInt::one() << power.unsigned_abs());
     let mantissa = if power < 0 { x * scale } else { x / scale };
-    let (above, below) = (&mantissa - Rational::one(), &mantissa + Rational::one());
+    let (above, below) = (&mantissa - Rational::ONE, &mantissa + Rational::ONE);
     rational(twice_artanh(&fixed(&(above / below))) + ln_2() * power, 0)
 }
 

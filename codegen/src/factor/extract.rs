@@ -2,13 +2,11 @@
 //!
 //! Each step is greedy; which order of steps is best depends on the formula, so that [`super::minimise`] tries several.
 
-use std::collections::{BTreeMap, BTreeSet};
-
-use num_traits::{One, Signed, Zero};
+use std::collections::BTreeMap;
 
 use super::circuit::{Circuit, Net, Operation};
-use super::{coefficients, quotients, repeats};
-use crate::graph::{Rational, rational};
+use super::{coefficients, pairs, quotients, repeats};
+use crate::graph::Rational;
 
 /// One kind of extraction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,8 +52,8 @@ pub fn extract(circuit: &mut Circuit, steps: &[Step]) {
         match step {
             Step::Factors => factor_sums(circuit, false),
             Step::SharedFactors => factor_sums(circuit, true),
-            Step::Products => share_products(circuit),
-            Step::Sums => share_sums(circuit),
+            Step::Products => pairs::share_products(circuit),
+            Step::Sums => pairs::share_sums(circuit),
             Step::Multiples => gather_multiples(circuit),
             Step::Coefficients => coefficients::open(circuit),
             Step::Distribute => coefficients::distribute(circuit),
@@ -84,7 +82,7 @@ fn divide_by_lone_divisors(circuit: &mut Circuit) {
     };
     for net in circuit.nets() {
         let (coefficient, factors) = match circuit.operation(net).clone() {
-            Operation::Product(factors) => (Rational::one(), factors),
+            Operation::Product(factors) => (Rational::ONE, factors),
             Operation::Sum(terms) => match terms.as_slice() {
                 [(operand, coefficient)] => (coefficient.clone(), vec![(*operand, 1)]),
                 _ => {
@@ -123,7 +121,7 @@ fn divide_in_terms(
 ) {
     let mut changed = false;
     for (operand, coefficient) in &mut terms {
-        let multiple = !coefficient.abs().is_one();
+        let multiple = !coefficient.is_unit();
         if let Some(divisor) = lone_divisor(circuit, *operand).filter(|_| multiple) {
             let numerator = circuit.number(coefficient.abs());
             *operand = circuit.push(Operation::Quotient(numerator, divisor));
@@ -145,7 +143,7 @@ fn share_multiples(circuit: &mut Circuit) {
         _ => Vec::new(),
     };
     let is_multiple = |circuit: &Circuit, operand: Net, coefficient: &Rational| {
-        !coefficient.abs().is_one() && circuit.as_number(operand).is_none()
+        !coefficient.is_unit() && circuit.as_number(operand).is_none()
     };
     let uses = circuit.uses();
     for net in circuit.nets() {
@@ -283,19 +281,14 @@ fn factored(circuit: &mut Circuit, mut terms: Vec<Term>) -> Vec<Term> {
 fn sum_of(circuit: &mut Circuit, terms: Vec<Term>) -> Term {
     let first = terms
         .first()
-        .map_or_else(Rational::one, |term| term.coefficient.clone());
+        .map_or(Rational::ONE, |term| term.coefficient.clone());
     let common = terms
         .iter()
         .all(|term| term.coefficient.abs() == first.abs());
     let content = if common { first } else { first.signum() };
     let terms: Vec<_> = terms
         .into_iter()
-        .map(|term| {
-            (
-                product_of(circuit, &term),
-                rational::over(&term.coefficient, &content),
-            )
-        })
+        .map(|term| (product_of(circuit, &term), &term.coefficient / &content))
         .collect();
     Term {
         factors: BTreeMap::from([(circuit.sum(terms), 1)]),
@@ -308,7 +301,7 @@ fn best_factor(terms: &[Term]) -> Option<Net> {
     // For each factor: in how many terms it is, and in how many of these it costs a multiplication.
     let mut counts: BTreeMap<Net, (usize, usize)> = BTreeMap::new();
     for term in terms {
-        let multiplied = term.factors.values().sum::<u32>() > 1 || !term.coefficient.abs().is_one();
+        let multiplied = term.factors.values().sum::<u32>() > 1 || !term.coefficient.is_unit();
         for factor in term.factors.keys() {
             let count = counts.entry(*factor).or_insert((0, 0));
             count.0 += 1;
@@ -322,173 +315,6 @@ fn best_factor(terms: &[Term]) -> Option<Net> {
         .map(|(net, _)| net)
 }
 
-/// Members of sums or products, and in which of them each pair stands.
-struct Pairs<K> {
-    counts: BTreeMap<K, usize>,
-    places: BTreeMap<K, BTreeSet<Net>>,
-}
-
-impl<K: Ord + Clone> Pairs<K> {
-    fn new() -> Self {
-        Self {
-            counts: BTreeMap::new(),
-            places: BTreeMap::new(),
-        }
-    }
-
-    fn add(&mut self, place: Net, pairs: &BTreeMap<K, usize>) {
-        for (pair, count) in pairs {
-            *self.counts.entry(pair.clone()).or_insert(0) += count;
-            self.places.entry(pair.clone()).or_default().insert(place);
-        }
-    }
-
-    fn remove(&mut self, place: Net, pairs: &BTreeMap<K, usize>) {
-        for (pair, count) in pairs {
-            if let Some(known) = self.counts.get_mut(pair) {
-                *known -= count;
-                if *known == 0 {
-                    self.counts.remove(pair);
-                }
-            }
-            if let Some(places) = self.places.get_mut(pair) {
-                places.remove(&place);
-            }
-        }
-    }
-
-    /// The most frequent pair that occurs at least twice.
-    fn best(&self) -> Option<(K, Vec<Net>)> {
-        let (pair, _) = self
-            .counts
-            .iter()
-            .filter(|(_, count)| **count >= 2)
-            .max_by(|(left, a), (right, b)| a.cmp(b).then_with(|| right.cmp(left)))?;
-        Some((
-            pair.clone(),
-            self.places
-                .get(pair)
-                .into_iter()
-                .flatten()
-                .copied()
-                .collect(),
-        ))
-    }
-}
-
-fn factor_pairs(factors: &BTreeMap<Net, u32>) -> BTreeMap<(Net, Net), usize> {
-    let mut pairs = BTreeMap::new();
-    for (a, power_a) in factors {
-        if *power_a >= 2 {
-            pairs.insert((*a, *a), (*power_a / 2) as usize);
-        }
-        for (b, power_b) in
-            factors.range((std::ops::Bound::Excluded(*a), std::ops::Bound::Unbounded))
-        {
-            pairs.insert((*a, *b), *power_a.min(power_b) as usize);
-        }
-    }
-    pairs
-}
-
-fn share_products(circuit: &mut Circuit) {
-    let mut members: BTreeMap<Net, BTreeMap<Net, u32>> = BTreeMap::new();
-    let mut pairs = Pairs::new();
-    for net in circuit.nets() {
-        if let Operation::Product(factors) = circuit.operation(net) {
-            let factors: BTreeMap<Net, u32> = factors.iter().copied().collect();
-            pairs.add(net, &factor_pairs(&factors));
-            members.insert(net, factors);
-        }
-    }
-    while let Some(((a, b), places)) = pairs.best() {
-        let shared = circuit.product([(a, 1), (b, 1)]);
-        for place in places {
-            let Some(factors) = members.get_mut(&place) else {
-                continue;
-            };
-            pairs.remove(place, &factor_pairs(factors));
-            if place == shared {
-                // The shared product itself is not taken apart any further.
-                members.remove(&place);
-                continue;
-            }
-            take_pair(factors, a, b, shared);
-            pairs.add(place, &factor_pairs(factors));
-            let factors = factors.iter().map(|(net, power)| (*net, *power)).collect();
-            circuit.replace(place, Operation::Product(factors));
-        }
-    }
-}
-
-/// Replaces a·b by one factor, as often as it occurs.
-fn take_pair(factors: &mut BTreeMap<Net, u32>, a: Net, b: Net, shared: Net) {
-    let available =
-        |factors: &BTreeMap<Net, u32>, net: Net| factors.get(&net).copied().unwrap_or(0);
-    let times = if a == b {
-        available(factors, a) / 2
-    } else {
-        available(factors, a).min(available(factors, b))
-    };
-    for net in [a, b] {
-        if let Some(power) = factors.get_mut(&net) {
-            *power -= times;
-        }
-    }
-    factors.retain(|_, power| *power > 0);
-    *factors.entry(shared).or_insert(0) += times;
-}
-
-/// A pair of terms by their handles and the ratio of their coefficients.
-type TermPair = (Net, Net, Rational);
-
-fn term_pairs(terms: &BTreeMap<Net, Rational>) -> BTreeMap<TermPair, usize> {
-    let mut pairs = BTreeMap::new();
-    for (a, first) in terms {
-        for (b, second) in terms.range((std::ops::Bound::Excluded(*a), std::ops::Bound::Unbounded))
-        {
-            pairs.insert((*a, *b, rational::over(second, first)), 1);
-        }
-    }
-    pairs
-}
-
-fn share_sums(circuit: &mut Circuit) {
-    let mut members: BTreeMap<Net, BTreeMap<Net, Rational>> = BTreeMap::new();
-    let mut pairs = Pairs::new();
-    for net in circuit.nets() {
-        if let Operation::Sum(terms) = circuit.operation(net) {
-            let terms: BTreeMap<Net, Rational> = terms.iter().cloned().collect();
-            pairs.add(net, &term_pairs(&terms));
-            members.insert(net, terms);
-        }
-    }
-    while let Some(((a, b, ratio), places)) = pairs.best() {
-        let shared = circuit.sum([(a, Rational::one()), (b, ratio)]);
-        for place in places {
-            let Some(terms) = members.get_mut(&place) else {
-                continue;
-            };
-            pairs.remove(place, &term_pairs(terms));
-            if place == shared {
-                members.remove(&place);
-                continue;
-            }
-            let Some(coefficient) = terms.remove(&a) else {
-                continue;
-            };
-            terms.remove(&b);
-            // The shared sum may be a term of this one already.
-            let known = terms.remove(&shared).unwrap_or_else(Rational::zero);
-            if coefficient != -&known {
-                terms.insert(shared, coefficient + known);
-            }
-            pairs.add(place, &term_pairs(terms));
-            circuit.replace(place, Operation::Sum(terms.clone().into_iter().collect()));
-        }
-    }
-}
-
 fn gather_multiples(circuit: &mut Circuit) {
     for net in circuit.nets() {
         let Operation::Sum(terms) = circuit.operation(net).clone() else {
@@ -497,7 +323,7 @@ fn gather_multiples(circuit: &mut Circuit) {
         let mut groups: BTreeMap<Rational, Vec<(Net, Rational)>> = BTreeMap::new();
         let mut gathered = Vec::new();
         for (operand, coefficient) in terms {
-            if coefficient.abs().is_one() || circuit.as_number(operand).is_some() {
+            if coefficient.is_unit() || circuit.as_number(operand).is_some() {
                 gathered.push((operand, coefficient));
             } else {
                 groups
@@ -516,7 +342,7 @@ fn gather_multiples(circuit: &mut Circuit) {
             }
             let sign = group
                 .first()
-                .map_or_else(Rational::one, |(_, coefficient)| coefficient.signum());
+                .map_or(Rational::ONE, |(_, coefficient)| coefficient.signum());
             let scale = &size * &sign;
             let inner = circuit.sum(
                 group

@@ -27,12 +27,12 @@ impl Residue {
 
     /// The residue of a rational number; one whose denominator the prime divides counts as 0.
     pub fn rational(value: &Rational) -> Self {
-        let numerator = Self::whole(value.numer());
+        let numerator = Self::whole(&value.numerator());
         // Most constants of formulas are whole, and an inverse takes a hundred products.
         if value.is_integer() {
             numerator
         } else {
-            numerator.times(Self::whole(value.denom()).inverse())
+            numerator.times(Self::whole(&value.denominator()).inverse())
         }
     }
 

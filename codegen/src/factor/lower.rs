@@ -1,10 +1,11 @@
 //! From the graph to operations: constants to their decimal values, quotients to as few divisions as there can be.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use num_bigint::BigInt;
 use num_integer::Integer;
-use num_traits::{One, Pow, Signed, Zero};
+use num_traits::{Pow, Signed};
+use rustc_hash::FxHashMap;
 
 use super::circuit::{Circuit, Net, Operation};
 use super::constants;
@@ -17,7 +18,12 @@ const CONSTANT_DIGITS: u32 = 60;
 /// The circuit of the roots as they stand, without any extraction: the inverse of a size by itself or as the size of an
 /// inverse, whichever costs less.
 pub fn lower(graph: &Graph, roots: &[ExprId]) -> Circuit {
-    let [apart, shared] = [false, true].map(|sizes| lowered(graph, roots, sizes));
+    let apart = lowered(graph, roots, false);
+    let is_size = |id: ExprId| matches!(graph.node(id), Node::Apply(Function::Abs, _));
+    if !graph.reachable(roots).into_iter().any(is_size) {
+        return apart;
+    }
+    let shared = lowered(graph, roots, true);
     if shared.cost().weight() < apart.cost().weight() {
         shared
     } else {
@@ -91,17 +97,14 @@ impl Lowering<'_> {
     }
 
     fn one(&mut self) -> Net {
-        self.circuit.number(Rational::one())
+        self.circuit.number(Rational::ONE)
     }
 
     fn value(&mut self, id: ExprId) -> Multiple {
         match self.graph.node(id) {
             Node::Number(value) => (value.clone(), self.one()),
             Node::Constant(constant) => (digits_of(*constant), self.one()),
-            Node::Symbol(symbol) => (
-                Rational::one(),
-                self.circuit.push(Operation::Symbol(*symbol)),
-            ),
+            Node::Symbol(symbol) => (Rational::ONE, self.circuit.push(Operation::Symbol(*symbol))),
             Node::Sum(terms) => self.sum(terms),
             Node::Product(factors) => self.product(factors),
             Node::Apply(function, operands) => self.apply(*function, operands),
@@ -116,23 +119,23 @@ impl Lowering<'_> {
                     order: *order,
                     argument,
                 };
-                (Rational::one(), self.circuit.push(operation))
+                (Rational::ONE, self.circuit.push(operation))
             }
             // Integrals were refused before anything is lowered.
-            Node::Integral { .. } => (Rational::zero(), self.one()),
+            Node::Integral { .. } => (Rational::ZERO, self.one()),
         }
     }
 
     fn sum(&mut self, terms: &[(ExprId, Rational)]) -> Multiple {
-        let mut collected: BTreeMap<Net, Rational> = BTreeMap::new();
+        let mut collected: Vec<(Net, Rational)> = Vec::with_capacity(terms.len());
         for (operand, coefficient) in terms {
             let (inner, net) = self.multiple(*operand);
-            rational::collect(&mut collected, net, rational::times(coefficient, &inner));
+            collected.push((net, coefficient * &inner));
         }
-        collected.retain(|_, coefficient| !coefficient.is_zero());
-        let terms: Vec<(Net, Rational)> = collected.into_iter().collect();
+        rational::collect(&mut collected);
+        let terms = collected;
         let (first, terms) = match terms.as_slice() {
-            [] => return (Rational::zero(), self.one()),
+            [] => return (Rational::ZERO, self.one()),
             [(net, coefficient)] => return (coefficient.clone(), *net),
             [(_, first), ..] => (first.clone(), terms),
         };
@@ -140,23 +143,23 @@ impl Lowering<'_> {
         let common = terms
             .iter()
             .all(|(_, coefficient)| coefficient.abs() == first.abs());
-        let content = if common { first.abs() } else { Rational::one() };
+        let content = if common { first.abs() } else { Rational::ONE };
         let scaled: Vec<_> = terms
             .into_iter()
-            .map(|(net, coefficient)| (net, rational::over(&coefficient, &content)))
+            .map(|(net, coefficient)| (net, &coefficient / &content))
             .collect();
         (content, self.circuit.sum(scaled))
     }
 
     fn product(&mut self, factors: &[(ExprId, i32)]) -> Multiple {
-        let mut coefficient = Rational::one();
+        let mut coefficient = Rational::ONE;
         let mut numerator = Vec::new();
         let mut denominator = Vec::new();
         let mut divisors = Vec::new();
         let (quotient, power, factors) = power_of_quotient(factors);
         if power > 1 {
             let (inner, net) = self.product(&quotient);
-            coefficient *= inner.pow(power);
+            coefficient *= &inner.pow(power.cast_signed());
             numerator.push((net, power));
         }
         for (factor, exponent) in &factors {
@@ -167,8 +170,8 @@ impl Lowering<'_> {
                 divisors.push((*factor, exponent.unsigned_abs()));
                 continue;
             }
-            coefficient *= inner.pow(*exponent);
-            if self.circuit.as_number(net).is_some_and(One::is_one) {
+            coefficient *= &inner.pow(*exponent);
+            if self.circuit.as_number(net).is_some_and(Rational::is_one) {
                 continue;
             }
             if *exponent > 0 {
@@ -213,7 +216,7 @@ impl Lowering<'_> {
         if self.circuit.as_number(numerator).is_some() {
             let numerator = self.circuit.number(coefficient);
             return (
-                Rational::one(),
+                Rational::ONE,
                 self.circuit
                     .push(Operation::Quotient(numerator, denominator)),
             );
@@ -271,7 +274,7 @@ impl Lowering<'_> {
         }
         let operands = operands.iter().map(|operand| self.net(*operand)).collect();
         (
-            Rational::one(),
+            Rational::ONE,
             self.circuit.push(Operation::Apply(function, operands)),
         )
     }
@@ -328,14 +331,14 @@ fn digits_of(constant: NamedConstant) -> Rational {
         NamedConstant::Ln2 => "0.693147180559945309417232121458176568075500134360255254120680",
         NamedConstant::Ln10 => "2.30258509299404568401799145468436420760110148862877297603333",
     };
-    decimal(digits).unwrap_or_else(Rational::one)
+    decimal(digits).unwrap_or(Rational::ONE)
 }
 
 /// The square root of a constant to [`CONSTANT_DIGITS`] digits.
 fn root_of(value: &Rational) -> Rational {
     let scale = Pow::pow(BigInt::from(10), CONSTANT_DIGITS);
-    let scaled = value.numer() * value.denom() * &scale * &scale;
-    Rational::new(scaled.sqrt(), value.denom() * scale)
+    let scaled = value.numerator() * value.denominator() * &scale * &scale;
+    Rational::new(scaled.sqrt(), value.denominator() * scale)
 }
 
 /// Decides which inverses are shared: per group of quotients that have divisors in common, either each divisor is
@@ -390,19 +393,29 @@ fn groups(
     quotients: Vec<Denominator>,
     keys: impl Fn(&Denominator) -> BTreeSet<ExprId>,
 ) -> Vec<Vec<Denominator>> {
-    let mut groups: Vec<(BTreeSet<ExprId>, Vec<Denominator>)> = Vec::new();
+    let mut groups: Vec<(Vec<ExprId>, Vec<Denominator>)> = Vec::new();
+    let mut group_of: FxHashMap<ExprId, usize> = FxHashMap::default();
     for quotient in quotients {
-        let mut factors = keys(&quotient);
-        let mut members = vec![quotient];
-        let (connected, apart): (Vec<_>, Vec<_>) = groups
-            .into_iter()
-            .partition(|(known, _)| !known.is_disjoint(&factors));
-        for (known, others) in connected {
-            factors.extend(known);
-            members.extend(others);
+        let factors = keys(&quotient);
+        let known = factors.iter().filter_map(|factor| group_of.get(factor));
+        let connected: BTreeSet<usize> = known.copied().collect();
+        let largest = connected.iter().max_by_key(|group| groups[**group].0.len());
+        let largest = largest.copied().unwrap_or(groups.len());
+        if largest == groups.len() {
+            groups.push((Vec::new(), Vec::new()));
         }
-        groups = apart;
-        groups.push((factors, members));
+        let mut joined: (Vec<ExprId>, _) = (factors.into_iter().collect(), vec![quotient]);
+        for group in connected.into_iter().filter(|group| *group != largest) {
+            let (others, members) = std::mem::take(&mut groups[group]);
+            joined.0.extend(others);
+            joined.1.extend(members);
+        }
+        for factor in &joined.0 {
+            group_of.insert(*factor, largest);
+        }
+        groups[largest].0.extend(joined.0);
+        groups[largest].1.extend(joined.1);
     }
-    groups.into_iter().map(|(_, members)| members).collect()
+    let members = groups.into_iter().map(|(_, members)| members);
+    members.filter(|members| !members.is_empty()).collect()
 }

@@ -1,84 +1,110 @@
 //! Quotients made from other quotients: where `a/b` is computed, `a/(b·c)` is `(a/b)/c`, which saves a multiplication.
 
-use std::collections::BTreeMap;
-
-use num_traits::One;
+use rustc_hash::FxHashMap;
 
 use super::circuit::{Circuit, Net, Operation};
 
-/// What an operation is a product and quotient of, with exponents.
-type Factors = BTreeMap<Net, i64>;
+/// What an operation is a product and quotient of, with exponents, by ascending handle.
+type Factors = Vec<(Net, i64)>;
 
-/// Divides what is computed already instead of multiplying divisors first.
+/// Divides what is computed already instead of multiplying divisors first. The circuit is tidy.
 pub fn share(circuit: &mut Circuit) {
-    let uses = circuit.uses();
-    let factors: Vec<Factors> = circuit.nets().map(|net| factors_of(circuit, net)).collect();
-    let mut known: BTreeMap<&Factors, Net> = BTreeMap::new();
+    let quotients: Vec<(Net, [Net; 2])> = quotients_by_two(circuit);
+    if quotients.is_empty() {
+        return;
+    }
+    let mut factors: Vec<Factors> = Vec::new();
+    for net in circuit.nets() {
+        factors.push(factors_of(circuit, net, &factors));
+    }
+    let mut known: FxHashMap<&Factors, Net> = FxHashMap::default();
     for net in circuit.nets() {
         known.entry(&factors[net.index()]).or_insert(net);
     }
-    for net in circuit.nets() {
-        let Operation::Quotient(numerator, denominator) = *circuit.operation(net) else {
-            continue;
-        };
-        let Operation::Product(divisors) = circuit.operation(denominator).clone() else {
-            continue;
-        };
-        let simple = divisors.iter().all(|(_, power)| *power == 1);
-        if uses[denominator.index()] != 1 || circuit.as_number(numerator).is_some() || !simple {
-            continue;
-        }
-        let part = divisors.iter().find_map(|(last, _)| {
-            let mut wanted = factors[net.index()].clone();
-            add(&mut wanted, &factors[last.index()], 1);
+    // As long as every operand comes before its users, what comes before an operation does not need it.
+    let mut in_order = true;
+    for (net, divisors) in quotients {
+        let part = divisors.iter().find_map(|last| {
+            let wanted = product(&[(&factors[net.index()], 1), (&factors[last.index()], 1)]);
             let part = *known.get(&wanted)?;
             // What is made from this quotient can't make it.
-            (!depends(circuit, part, net)).then_some((part, *last))
+            let depends = !(in_order && part < net) && depends(circuit, part, net);
+            (!depends).then_some((part, *last))
         });
-        if let Some((part, last)) = part.filter(|_| divisors.len() == 2) {
+        if let Some((part, last)) = part {
+            in_order &= part < net;
             circuit.replace(net, Operation::Quotient(part, last));
         }
     }
 }
 
-fn add(factors: &mut Factors, more: &Factors, times: i64) {
-    for (factor, exponent) in more {
-        *factors.entry(*factor).or_insert(0) += exponent * times;
-    }
-    factors.retain(|_, exponent| *exponent != 0);
+/// The quotients by a product of two that nothing else needs, with the two.
+fn quotients_by_two(circuit: &Circuit) -> Vec<(Net, [Net; 2])> {
+    let uses = circuit.uses();
+    let divisors = |net| {
+        let Operation::Quotient(numerator, denominator) = circuit.operation(net) else {
+            return None;
+        };
+        if uses[denominator.index()] != 1 || circuit.as_number(*numerator).is_some() {
+            return None;
+        }
+        match circuit.operation(*denominator) {
+            Operation::Product(divisors) => match divisors.as_slice() {
+                [(first, 1), (second, 1)] => Some((net, [*first, *second])),
+                _ => None,
+            },
+            _ => None,
+        }
+    };
+    circuit.nets().filter_map(divisors).collect()
 }
 
-/// The operation's factors, as far down as there are products and quotients.
-fn factors_of(circuit: &Circuit, net: Net) -> Factors {
-    let mut factors = Factors::new();
+/// The product of powers.
+fn product(powers: &[(&Factors, i64)]) -> Factors {
+    let all = powers.iter().flat_map(|(factors, power)| {
+        factors
+            .iter()
+            .map(move |(factor, exponent)| (*factor, exponent * power))
+    });
+    let mut product: Factors = all.collect();
+    product.sort_unstable_by_key(|(factor, _)| *factor);
+    product.dedup_by(|later, first| {
+        let same = later.0 == first.0;
+        first.1 += if same { later.1 } else { 0 };
+        same
+    });
+    product.retain(|(_, exponent)| *exponent != 0);
+    product
+}
+
+/// The operation's factors, as far down as there are products and quotients, from those of the operations before it.
+fn factors_of(circuit: &Circuit, net: Net, before: &[Factors]) -> Factors {
+    let of = |part: &Net| &before[part.index()];
     match circuit.operation(net) {
-        Operation::Number(value) if value.is_one() => {}
+        Operation::Number(value) if value.is_one() => Factors::new(),
         Operation::Product(parts) => {
-            for (part, power) in parts {
-                add(&mut factors, &factors_of(circuit, *part), i64::from(*power));
-            }
+            let powers = parts
+                .iter()
+                .map(|(part, power)| (of(part), i64::from(*power)));
+            product(&powers.collect::<Vec<_>>())
         }
         Operation::Quotient(numerator, denominator) => {
-            add(&mut factors, &factors_of(circuit, *numerator), 1);
-            add(&mut factors, &factors_of(circuit, *denominator), -1);
+            product(&[(of(numerator), 1), (of(denominator), -1)])
         }
-        _ => {
-            factors.insert(net, 1);
-        }
+        _ => vec![(net, 1)],
     }
-    factors
 }
 
 /// Whether an operation needs another one.
 fn depends(circuit: &Circuit, net: Net, on: Net) -> bool {
     let mut stack = vec![net];
-    let mut seen = std::collections::BTreeSet::new();
+    let mut seen = vec![false; circuit.nets().count()];
     while let Some(next) = stack.pop() {
         if next == on {
             return true;
         }
-        if seen.insert(next) {
-            stack.extend(circuit.operands(next));
+        if !std::mem::replace(&mut seen[next.index()], true) {
+            circuit.each_operand(next, |operand| stack.push(operand));
         }
     }
     false

@@ -3,8 +3,6 @@
 
 use std::collections::HashMap;
 
-use num_traits::{One, Zero};
-
 use super::circuit::{Circuit, Net, Operation};
 use super::fingerprint::{Fingerprint, Residue, drawn, is_zero, kind_of, kind_of_table, symbol_at};
 use crate::graph::{Rational, ratio};
@@ -20,7 +18,7 @@ pub fn merge(circuit: &mut Circuit) {
             continue;
         }
         if is_zero(value) {
-            circuit.replace(net, Operation::Number(Rational::zero()));
+            circuit.replace(net, Operation::Number(Rational::ZERO));
             continue;
         }
         // Multiples of each other have the same ratio of their values.
@@ -103,6 +101,6 @@ mod tests {
         merge(&mut circuit);
         assert_eq!(circuit.cost().operations(), 3);
         let zero = circuit.as_number(circuit.outputs[2]);
-        assert_eq!(zero, Some(&Rational::zero()));
+        assert_eq!(zero, Some(&Rational::ZERO));
     }
 }

@@ -8,13 +8,12 @@
 
 use std::ops::Range;
 
-use num_traits::{One, ToPrimitive};
-
 use super::circuit::Circuit;
 use crate::graph::{
     ExprId, Function, Graph, NamedConstant, Node, Rational, Symbol, SymbolId, Table,
 };
 use crate::interpret::{self, Number, constant_value};
+use crate::parallel::on_all_cores;
 
 /// How many points are looked at.
 const POINTS: u64 = 96;
@@ -172,10 +171,10 @@ impl Reference {
         let points: Vec<Vec<Bounded>> = (0..POINTS + FAR_POINTS)
             .map(|number| point(graph, &differences, number))
             .collect();
-        let outputs = points
-            .iter()
-            .map(|point| interpret::evaluate(graph, outputs, point).unwrap_or_default())
-            .collect();
+        let order = graph.reachable(outputs);
+        let outputs = on_all_cores(&points, |point| {
+            interpret::evaluate_in_order(graph, &order, outputs, point).unwrap_or_default()
+        });
         Self { points, outputs }
     }
 

@@ -1,9 +1,5 @@
 //! Constructors: each brings its node into the one form that [`Graph`]'s invariants name.
 
-use std::collections::BTreeMap;
-
-use num_traits::{One, Signed, Zero};
-
 use super::{ExprId, Function, Graph, NamedConstant, Node, Rational, SymbolId, rational, whole};
 
 impl Graph {
@@ -38,56 +34,52 @@ impl Graph {
     /// Σ coefficient · operand. Equal operands are collected; a sum among the operands is opened only where that
     /// leaves no more terms than it had, as in (a + b) − b.
     pub fn sum(&mut self, terms: impl IntoIterator<Item = (ExprId, Rational)>) -> ExprId {
-        let mut closed = BTreeMap::new();
+        let mut closed = Vec::new();
         for (operand, coefficient) in terms {
-            self.collect_term(&mut closed, operand, coefficient);
+            self.open_multiple(&mut closed, operand, coefficient);
         }
-        closed.retain(|_, coefficient: &mut Rational| !coefficient.is_zero());
-        let mut opened = BTreeMap::new();
-        let mut has_sum = false;
-        for (operand, coefficient) in &closed {
-            match self.node(*operand) {
-                Node::Sum(inner) => {
-                    has_sum = true;
-                    for (term, q) in inner.clone() {
-                        self.collect_term(&mut opened, term, rational::times(coefficient, &q));
+        rational::collect(&mut closed);
+        let is_sum =
+            |(operand, _): &(ExprId, Rational)| matches!(self.node(*operand), Node::Sum(_));
+        if closed.iter().any(is_sum) {
+            let mut opened = Vec::new();
+            for (operand, coefficient) in &closed {
+                match self.node(*operand) {
+                    Node::Sum(inner) => {
+                        for (term, q) in inner {
+                            self.open_multiple(&mut opened, *term, coefficient * q);
+                        }
                     }
+                    _ => self.open_multiple(&mut opened, *operand, coefficient.clone()),
                 }
-                _ => self.collect_term(&mut opened, *operand, coefficient.clone()),
             }
-        }
-        opened.retain(|_, coefficient| !coefficient.is_zero());
-        if has_sum && opened.len() <= closed.len() {
-            return self.sum(opened);
+            rational::collect(&mut opened);
+            if opened.len() <= closed.len() {
+                return self.sum(opened);
+            }
         }
         self.finish_sum(closed)
     }
 
-    fn collect_term(
+    /// Adds a term: of a number as a multiple of 1, of a multiple as one of what it is of.
+    fn open_multiple(
         &self,
-        terms: &mut BTreeMap<ExprId, Rational>,
+        terms: &mut Vec<(ExprId, Rational)>,
         operand: ExprId,
         coefficient: Rational,
     ) {
         match self.node(operand) {
-            Node::Number(value) => {
-                *terms.entry(self.one()).or_insert_with(Rational::zero) += value * coefficient;
-            }
+            Node::Number(value) => terms.push((self.one(), value * &coefficient)),
             Node::Sum(inner) if inner.len() == 1 => {
-                self.collect_term(
-                    terms,
-                    inner[0].0,
-                    rational::times(&inner[0].1, &coefficient),
-                );
+                self.open_multiple(terms, inner[0].0, &inner[0].1 * &coefficient);
             }
-            _ => rational::collect(terms, operand, coefficient),
+            _ => terms.push((operand, coefficient)),
         }
     }
 
-    fn finish_sum(&mut self, terms: BTreeMap<ExprId, Rational>) -> ExprId {
-        let terms: Vec<_> = terms.into_iter().collect();
+    fn finish_sum(&mut self, terms: Vec<(ExprId, Rational)>) -> ExprId {
         match terms.as_slice() {
-            [] => self.number(Rational::zero()),
+            [] => self.number(Rational::ZERO),
             [(operand, coefficient)] if *operand == self.one() => {
                 let value = coefficient.clone();
                 self.number(value)
@@ -99,16 +91,21 @@ impl Graph {
 
     /// Π operand^exponent. Products among the operands are opened, rational factors gathered in front.
     pub fn product(&mut self, factors: impl IntoIterator<Item = (ExprId, i32)>) -> ExprId {
-        let mut coefficient = Rational::one();
-        let mut powers = BTreeMap::new();
+        let mut coefficient = Rational::ONE;
+        let mut powers: Vec<(ExprId, i32)> = Vec::new();
         for (operand, exponent) in factors {
             self.collect_factor(&mut coefficient, &mut powers, operand, exponent);
         }
         if coefficient.is_zero() {
             return self.number(coefficient);
         }
-        powers.retain(|_, exponent: &mut i32| *exponent != 0);
-        let powers: Vec<_> = powers.into_iter().collect();
+        powers.sort_unstable_by_key(|(operand, _)| *operand);
+        powers.dedup_by(|later, first| {
+            let same = later.0 == first.0;
+            first.1 += if same { later.1 } else { 0 };
+            same
+        });
+        powers.retain(|(_, exponent)| *exponent != 0);
         let product = match powers.as_slice() {
             [] => return self.number(coefficient),
             [(operand, 1)] => *operand,
@@ -120,55 +117,36 @@ impl Graph {
     fn collect_factor(
         &mut self,
         coefficient: &mut Rational,
-        powers: &mut BTreeMap<ExprId, i32>,
+        powers: &mut Vec<(ExprId, i32)>,
         operand: ExprId,
         exponent: i32,
     ) {
         if exponent == 0 {
             return;
         }
-        match self.node(operand).clone() {
+        match self.node(operand) {
             Node::Number(value) if !value.is_zero() || exponent > 0 => {
-                *coefficient *= value.pow(exponent)
+                *coefficient *= &value.pow(exponent);
             }
             Node::Product(inner) => {
-                for (factor, power) in inner {
+                for (factor, power) in inner.clone() {
                     self.collect_factor(coefficient, powers, factor, power * exponent);
                 }
             }
             Node::Sum(terms) => {
-                let (content, primitive) = self.primitive(operand, &terms);
-                *coefficient *= content.pow(exponent);
-                if primitive == operand {
-                    *powers.entry(operand).or_insert(0) += exponent;
-                } else {
-                    self.collect_factor(coefficient, powers, primitive, exponent);
+                let content = content_of(terms);
+                if content.is_one() {
+                    powers.push((operand, exponent));
+                    return;
                 }
+                *coefficient *= &content.pow(exponent);
+                let over = |(operand, q): &(ExprId, Rational)| (*operand, q / &content);
+                let terms: Vec<_> = terms.iter().map(over).collect();
+                let primitive = self.sum(terms);
+                self.collect_factor(coefficient, powers, primitive, exponent);
             }
-            _ => *powers.entry(operand).or_insert(0) += exponent,
+            _ => powers.push((operand, exponent)),
         }
-    }
-
-    /// Splits a sum into a rational and a sum that begins with a positive term, so that (b − a) and (a − b),
-    /// (2a + 2b) and (a + b) are one factor.
-    fn primitive(&mut self, sum: ExprId, terms: &[(ExprId, Rational)]) -> (Rational, ExprId) {
-        let Some((_, first)) = terms.first() else {
-            return (Rational::one(), sum);
-        };
-        let common = terms.iter().all(|(_, q)| q.abs() == first.abs());
-        let content = if common {
-            first.clone()
-        } else {
-            first.signum()
-        };
-        if content.is_one() {
-            return (content, sum);
-        }
-        let scaled: Vec<_> = terms
-            .iter()
-            .map(|(operand, q)| (*operand, q / &content))
-            .collect();
-        (content, self.sum(scaled))
     }
 
     /// The sum of two.
@@ -239,5 +217,18 @@ impl Graph {
             lower,
             upper,
         })
+    }
+}
+
+/// The rational factor of a sum that leaves one which begins with a positive term, so that (b − a) and (a − b),
+/// (2a + 2b) and (a + b) are one factor.
+fn content_of(terms: &[(ExprId, Rational)]) -> Rational {
+    let Some((_, first)) = terms.first() else {
+        return Rational::ONE;
+    };
+    if terms.iter().all(|(_, q)| q.abs() == first.abs()) {
+        first.clone()
+    } else {
+        first.signum()
     }
 }

@@ -1,78 +1,449 @@
-//! Rational constants. Nearly all are 1 and −1, for which the ways here spare the divisions that keep others reduced.
+//! Rational constants. Nearly all are 1, −1 and other small fractions, which are held without memory of their own.
 
-use std::collections::BTreeMap;
+use std::cmp::Ordering;
+use std::fmt;
 use std::hash::{Hash, Hasher};
+use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub};
+use std::sync::Arc;
 
 use num_bigint::BigInt;
+use num_integer::Integer;
 use num_rational::BigRational;
-use num_traits::{One, Zero};
+use num_traits::{Pow, Signed, ToPrimitive};
 
 /// An exact rational constant.
-pub type Rational = BigRational;
+#[derive(Clone, PartialEq, Eq, Hash)]
+pub struct Rational(Parts);
+
+/// The parts of a fraction in lowest terms with a denominator above 0, the smaller kind wherever it holds them: equal numbers
+/// have equal parts.
+#[derive(Clone, PartialEq, Eq)]
+enum Parts {
+    /// Both magnitudes are at most [`i64::MAX`].
+    Small(i64, i64),
+    Large(Arc<BigRational>),
+}
+
+use Parts::{Large, Small};
+
+impl Hash for Parts {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        match self {
+            Small(numerator, denominator) => (numerator, denominator).hash(state),
+            // Its own hash divides its way to the parts.
+            Large(value) => (value.numer(), value.denom()).hash(state),
+        }
+    }
+}
 
 /// A whole number as a rational constant.
 pub fn whole(value: i64) -> Rational {
-    Rational::from_integer(BigInt::from(value))
+    Rational::of_whole(value.into())
 }
 
 /// The quotient of two whole numbers as a rational constant; the denominator is not zero.
 pub fn ratio(numerator: i64, denominator: i64) -> Rational {
-    Rational::new(BigInt::from(numerator), BigInt::from(denominator))
+    Rational::reduced(numerator.into(), denominator.into())
 }
 
-/// The product.
-pub(crate) fn times(a: &Rational, b: &Rational) -> Rational {
-    if a.is_one() {
-        b.clone()
-    } else if b.is_one() {
-        a.clone()
-    } else {
-        a * b
+impl Rational {
+    /// The number 0.
+    pub const ZERO: Self = Self(Small(0, 1));
+
+    /// The number 1.
+    pub const ONE: Self = Self(Small(1, 1));
+
+    /// The quotient of two whole numbers; the denominator is not zero.
+    pub fn new(numerator: BigInt, denominator: BigInt) -> Self {
+        Self::of_big(BigRational::new(numerator, denominator))
     }
-}
 
-/// The quotient; the divisor is not zero.
-pub(crate) fn over(a: &Rational, b: &Rational) -> Rational {
-    if b.is_one() {
-        a.clone()
-    } else if a == b {
-        Rational::one()
-    } else if *a == -b {
-        -Rational::one()
-    } else {
-        a / b
+    /// A whole number.
+    pub fn from_integer(value: BigInt) -> Self {
+        Self::of_big(BigRational::from_integer(value))
     }
-}
 
-/// Adds a coefficient to that of an operand.
-pub(crate) fn collect<K: Ord>(
-    terms: &mut BTreeMap<K, Rational>,
-    operand: K,
-    coefficient: Rational,
-) {
-    terms
-        .entry(operand)
-        .and_modify(|known| {
-            if known.is_zero() {
-                known.clone_from(&coefficient);
-            } else {
-                *known += &coefficient;
+    fn of_big(value: BigRational) -> Self {
+        match (to_small(value.numer()), to_small(value.denom())) {
+            (Some(numerator), Some(denominator)) => Self(Small(numerator, denominator)),
+            _ => Self(Large(Arc::new(value))),
+        }
+    }
+
+    /// A whole number below 2¹²⁷ in magnitude.
+    fn of_whole(value: i128) -> Self {
+        match i64::try_from(value) {
+            Ok(small) if small != i64::MIN => Self(Small(small, 1)),
+            _ => Self::from_integer(value.into()),
+        }
+    }
+
+    /// A fraction in lowest terms, of parts below 2¹²⁷ in magnitude and a denominator that is not zero.
+    fn reduced(numerator: i128, denominator: i128) -> Self {
+        let divisor = match (
+            u64::try_from(numerator.abs()),
+            u64::try_from(denominator.abs()),
+        ) {
+            (Ok(numerator), Ok(denominator)) => numerator.gcd(&denominator).into(),
+            _ => numerator.gcd(&denominator),
+        };
+        let divisor = divisor * denominator.signum();
+        let (numerator, denominator) = if divisor == 1 {
+            (numerator, denominator)
+        } else {
+            (numerator / divisor, denominator / divisor)
+        };
+        match (i64::try_from(numerator), i64::try_from(denominator)) {
+            (Ok(numerator), Ok(denominator)) if numerator != i64::MIN => {
+                Self(Small(numerator, denominator))
             }
-        })
-        .or_insert(coefficient);
+            _ => {
+                let value = BigRational::new_raw(numerator.into(), denominator.into());
+                Self(Large(Arc::new(value)))
+            }
+        }
+    }
+
+    fn to_big(&self) -> BigRational {
+        match &self.0 {
+            Small(numerator, denominator) => {
+                BigRational::new_raw((*numerator).into(), (*denominator).into())
+            }
+            Large(value) => BigRational::clone(value),
+        }
+    }
+
+    /// The numerator of the fraction in lowest terms; it has the number's sign.
+    pub fn numerator(&self) -> BigInt {
+        match &self.0 {
+            Small(numerator, _) => (*numerator).into(),
+            Large(value) => value.numer().clone(),
+        }
+    }
+
+    /// The denominator of the fraction in lowest terms, above 0.
+    pub fn denominator(&self) -> BigInt {
+        match &self.0 {
+            Small(_, denominator) => (*denominator).into(),
+            Large(value) => value.denom().clone(),
+        }
+    }
+
+    /// Whether it is 0.
+    pub fn is_zero(&self) -> bool {
+        *self == Self::ZERO
+    }
+
+    /// Whether it is 1.
+    pub fn is_one(&self) -> bool {
+        *self == Self::ONE
+    }
+
+    /// Whether it is 1 or −1.
+    pub fn is_unit(&self) -> bool {
+        matches!(self.0, Small(1 | -1, 1))
+    }
+
+    /// Whether it is a whole number.
+    pub fn is_integer(&self) -> bool {
+        match &self.0 {
+            Small(_, denominator) => *denominator == 1,
+            Large(value) => value.is_integer(),
+        }
+    }
+
+    /// Whether it is above 0.
+    pub fn is_positive(&self) -> bool {
+        match &self.0 {
+            Small(numerator, _) => *numerator > 0,
+            Large(value) => value.is_positive(),
+        }
+    }
+
+    /// Whether it is below 0.
+    pub fn is_negative(&self) -> bool {
+        !self.is_positive() && !self.is_zero()
+    }
+
+    /// Its magnitude.
+    pub fn abs(&self) -> Self {
+        if self.is_negative() {
+            -self
+        } else {
+            self.clone()
+        }
+    }
+
+    /// 1, 0 or −1.
+    pub fn signum(&self) -> Self {
+        match (self.is_positive(), self.is_zero()) {
+            (true, _) => Self::ONE,
+            (_, true) => Self::ZERO,
+            _ => -Self::ONE,
+        }
+    }
+
+    /// Its power; a number that is 0 has none below 0.
+    pub fn pow(&self, exponent: i32) -> Self {
+        match exponent {
+            1 => self.clone(),
+            -1 => Self::ONE / self,
+            _ => Self::of_big(Pow::pow(&self.to_big(), exponent)),
+        }
+    }
+
+    /// The nearest number of double precision.
+    pub fn to_f64(&self) -> Option<f64> {
+        match &self.0 {
+            // Below 2⁵³ every whole number is one of double precision.
+            Small(numerator, denominator) if (numerator.abs() | denominator) >> 53 == 0 => {
+                Some(*numerator as f64 / *denominator as f64)
+            }
+            _ => self.to_big().to_f64(),
+        }
+    }
+
+    /// The number, if it is a whole one of 32 bits.
+    pub fn to_i32(&self) -> Option<i32> {
+        match &self.0 {
+            Small(numerator, 1) => (*numerator).try_into().ok(),
+            _ => None,
+        }
+    }
 }
 
-/// The hash of a reduced number: of its parts, where the number's own divides its way to them.
-pub(crate) fn hash_parts<H: Hasher>(value: &Rational, state: &mut H) {
-    value.numer().hash(state);
-    value.denom().hash(state);
+fn to_small(value: &BigInt) -> Option<i64> {
+    value.to_i64().filter(|small| *small != i64::MIN)
 }
 
-/// The hash of terms.
-pub(crate) fn hash_terms<K: Hash, H: Hasher>(terms: &[(K, Rational)], state: &mut H) {
-    state.write_usize(terms.len());
-    for (operand, coefficient) in terms {
-        operand.hash(state);
-        hash_parts(coefficient, state);
+impl fmt::Display for Rational {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(&self.to_big(), formatter)
+    }
+}
+
+impl fmt::Debug for Rational {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, formatter)
+    }
+}
+
+impl Ord for Rational {
+    fn cmp(&self, other: &Self) -> Ordering {
+        match (&self.0, &other.0) {
+            (Small(a, b), Small(c, d)) if b == d => a.cmp(c),
+            (Small(a, b), Small(c, d)) => {
+                (i128::from(*a) * i128::from(*d)).cmp(&(i128::from(*c) * i128::from(*b)))
+            }
+            _ => self.to_big().cmp(&other.to_big()),
+        }
+    }
+}
+
+impl PartialOrd for Rational {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Neg for &Rational {
+    type Output = Rational;
+
+    fn neg(self) -> Rational {
+        match &self.0 {
+            Small(numerator, denominator) => Rational(Small(-numerator, *denominator)),
+            Large(value) => Rational(Large(Arc::new(-&**value))),
+        }
+    }
+}
+
+impl Neg for Rational {
+    type Output = Rational;
+
+    fn neg(self) -> Rational {
+        -&self
+    }
+}
+
+impl Add<&Rational> for &Rational {
+    type Output = Rational;
+
+    fn add(self, other: &Rational) -> Rational {
+        match (&self.0, &other.0) {
+            (Small(a, 1), Small(c, 1)) => Rational::of_whole(i128::from(*a) + i128::from(*c)),
+            (Small(a, b), Small(c, d)) => {
+                let [a, b, c, d] = [a, b, c, d].map(|part| i128::from(*part));
+                if b == d {
+                    Rational::reduced(a + c, b)
+                } else {
+                    Rational::reduced(a * d + c * b, b * d)
+                }
+            }
+            _ => Rational::of_big(self.to_big() + other.to_big()),
+        }
+    }
+}
+
+impl Mul<&Rational> for &Rational {
+    type Output = Rational;
+
+    fn mul(self, other: &Rational) -> Rational {
+        match (&self.0, &other.0) {
+            (Small(1, 1), _) => other.clone(),
+            (_, Small(1, 1)) => self.clone(),
+            (Small(a, 1), Small(c, 1)) => Rational::of_whole(i128::from(*a) * i128::from(*c)),
+            (Small(a, b), Small(c, d)) => {
+                let [a, b, c, d] = [a, b, c, d].map(|part| i128::from(*part));
+                Rational::reduced(a * c, b * d)
+            }
+            _ => Rational::of_big(self.to_big() * other.to_big()),
+        }
+    }
+}
+
+impl Sub<&Rational> for &Rational {
+    type Output = Rational;
+
+    fn sub(self, other: &Rational) -> Rational {
+        self + &-other
+    }
+}
+
+impl Div<&Rational> for &Rational {
+    type Output = Rational;
+
+    /// The divisor is not zero.
+    fn div(self, other: &Rational) -> Rational {
+        match (&self.0, &other.0) {
+            (_, Small(1, 1)) => self.clone(),
+            (_, Small(-1, 1)) => -self,
+            (Small(a, b), Small(c, d)) if *c != 0 => {
+                let [a, b, c, d] = [a, b, c, d].map(|part| i128::from(*part));
+                Rational::reduced(a * d, b * c)
+            }
+            _ => Rational::of_big(self.to_big() / other.to_big()),
+        }
+    }
+}
+
+/// The operators for numbers that are given away.
+macro_rules! owned {
+    ($($trait:ident $method:ident),*) => {$(
+        impl $trait<Rational> for Rational {
+            type Output = Rational;
+
+            fn $method(self, other: Rational) -> Rational {
+                $trait::$method(&self, &other)
+            }
+        }
+
+        impl $trait<&Rational> for Rational {
+            type Output = Rational;
+
+            fn $method(self, other: &Rational) -> Rational {
+                $trait::$method(&self, other)
+            }
+        }
+
+        impl $trait<Rational> for &Rational {
+            type Output = Rational;
+
+            fn $method(self, other: Rational) -> Rational {
+                $trait::$method(self, &other)
+            }
+        }
+    )*};
+}
+
+owned!(Add add, Sub sub, Mul mul, Div div);
+
+impl AddAssign<&Rational> for Rational {
+    fn add_assign(&mut self, other: &Rational) {
+        *self = &*self + other;
+    }
+}
+
+impl MulAssign<&Rational> for Rational {
+    fn mul_assign(&mut self, other: &Rational) {
+        *self = &*self * other;
+    }
+}
+
+/// Makes one term of those with the same operand, by ascending operand, and drops those that come to nothing.
+pub(crate) fn collect<K: Ord + Copy>(terms: &mut Vec<(K, Rational)>) {
+    terms.sort_by_key(|(operand, _)| *operand);
+    terms.dedup_by(|later, first| {
+        let same = later.0 == first.0;
+        if same {
+            first.1 += &later.1;
+        }
+        same
+    });
+    terms.retain(|(_, coefficient)| !coefficient.is_zero());
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    /// Parts of which many are so large that sums and products do not fit into the small kind.
+    fn part() -> impl Strategy<Value = i64> {
+        prop_oneof![
+            -12_i64..=12,
+            any::<i64>(),
+            Just(i64::MAX),
+            Just(i64::MIN),
+            Just(i64::MIN + 1)
+        ]
+    }
+
+    fn number() -> impl Strategy<Value = (Rational, BigRational)> {
+        let parts = (
+            part(),
+            part().prop_filter("a denominator", |part| *part != 0),
+        );
+        parts.prop_map(|(n, d)| (ratio(n, d), BigRational::new(n.into(), d.into())))
+    }
+
+    /// The number is the big one, in the kind that its size asks for.
+    fn is(number: &Rational, big: &BigRational) -> bool {
+        let is_small = to_small(big.numer()).is_some() && to_small(big.denom()).is_some();
+        number.to_big() == *big && matches!(number.0, Small(..)) == is_small
+    }
+
+    proptest! {
+        #[test]
+        fn arithmetic_is_that_of_big_numbers((a, big_a) in number(), (b, big_b) in number()) {
+            prop_assert!(is(&a, &big_a));
+            prop_assert!(is(&(&a + &b), &(&big_a + &big_b)));
+            prop_assert!(is(&(&a - &b), &(&big_a - &big_b)));
+            prop_assert!(is(&(&a * &b), &(&big_a * &big_b)));
+            if !b.is_zero() {
+                prop_assert!(is(&(&a / &b), &(&big_a / &big_b)));
+                prop_assert!(is(&b.pow(-3), &Pow::pow(&big_b, -3)));
+            }
+            prop_assert!(is(&-&a, &-&big_a));
+            prop_assert!(is(&a.abs(), &big_a.abs()));
+            prop_assert!(is(&a.signum(), &big_a.signum()));
+            prop_assert_eq!(a.cmp(&b), big_a.cmp(&big_b));
+            prop_assert_eq!(a == b, big_a == big_b);
+            prop_assert_eq!(a.to_f64(), big_a.to_f64());
+            prop_assert_eq!(a.is_integer(), big_a.is_integer());
+            prop_assert_eq!(a.to_i32(), big_a.is_integer().then(|| big_a.to_i32()).flatten());
+        }
+    }
+
+    #[test]
+    fn terms_of_the_same_operand_are_one() {
+        let mut terms = vec![
+            (2, whole(3)),
+            (1, whole(1)),
+            (2, ratio(1, 2)),
+            (1, whole(-1)),
+        ];
+        collect(&mut terms);
+        assert_eq!(terms, [(2, ratio(7, 2))]);
     }
 }

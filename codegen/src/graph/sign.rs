@@ -1,7 +1,5 @@
 //! What is known of an expression's sign from the declared domains of its symbols.
 
-use num_traits::Signed;
-
 use super::{ExprId, Function, Graph, Node};
 
 /// Which of negative, zero and positive a number may be.

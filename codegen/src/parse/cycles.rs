@@ -1,6 +1,7 @@
 //! Functions and constants that need their own value.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::rc::Rc;
 
 use proc_macro2::Span;
 use syn::spanned::Spanned;
@@ -34,7 +35,7 @@ pub(super) fn check(module: &mut Module, diagnostics: &mut Diagnostics) {
         ),
     });
     for function in &mut module.functions {
-        function.readable &= !cyclic.contains(&function.name());
+        Rc::make_mut(function).readable &= !cyclic.contains(&function.name());
     }
     let constants = module.constants.iter();
     let constants: Needs = constants

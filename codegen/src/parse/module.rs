@@ -1,5 +1,7 @@
 //! The items of a module of formulas.
 
+use std::rc::Rc;
+
 use std::collections::BTreeSet;
 
 use proc_macro2::Span;
@@ -18,7 +20,7 @@ pub struct Module {
     /// The item as written, without the generator's own attributes.
     pub item: ItemMod,
     /// Its functions in order.
-    pub functions: Vec<Function>,
+    pub functions: Vec<Rc<Function>>,
     /// Its constants: name and value.
     pub constants: Vec<(String, syn::Expr)>,
     /// What it imports of the standard library's constants.
@@ -174,7 +176,7 @@ impl Module {
     }
 
     /// The function of that name.
-    pub fn function(&self, name: &str) -> Option<&Function> {
+    pub fn function(&self, name: &str) -> Option<&Rc<Function>> {
         self.functions
             .iter()
             .find(|function| function.item.sig.ident == name)
@@ -222,9 +224,9 @@ impl Module {
         else {
             return;
         };
-        let function = self.functions[position].clone();
+        let function = Rc::clone(&self.functions[position]);
         if let Some(special) = specialise::function(self, &function, specialisation, diagnostics) {
-            self.functions.insert(position, special);
+            self.functions.insert(position, Rc::new(special));
         }
     }
 
@@ -274,7 +276,7 @@ impl Module {
             );
             return Vec::new();
         }
-        self.functions.push(function);
+        self.functions.push(Rc::new(function));
         let specialisations = attributes.specialisations.into_iter();
         specialisations
             .map(|special| (name.clone(), special))

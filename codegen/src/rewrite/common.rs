@@ -6,17 +6,12 @@
 use std::collections::BTreeMap;
 
 use super::rules::parts;
-use super::{product, simplify};
+use super::{changed, product, simplify};
 use crate::graph::{ExprId, Graph, Node};
 
-/// Rebuilds the roots with the common factors of every sum taken out.
-pub fn take_out(graph: &Graph, roots: &[ExprId]) -> (Graph, Vec<ExprId>) {
-    let mut target = Graph::with_symbols_of(graph);
-    let roots = graph.rebuild(&mut target, roots, |target, _, image| {
-        let image = simplify(target, image);
-        factored(target, image).unwrap_or(image)
-    });
-    (target, roots)
+/// Rebuilds the roots with the common factors of every sum taken out; None where no sum has any.
+pub fn take_out(graph: &Graph, roots: &[ExprId]) -> Option<(Graph, Vec<ExprId>)> {
+    changed(graph, roots, factored)
 }
 
 /// The sum as a product, where its terms have factors in common.

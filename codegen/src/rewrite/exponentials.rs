@@ -5,11 +5,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use num_traits::{Signed, ToPrimitive};
-
 use super::rules::{operand_of, parts};
 use super::{applied, product, simplify};
-use crate::graph::{ExprId, Function, Graph, Node, Rational};
+use crate::graph::{ExprId, Function, Graph, Node, Rational, ratio};
 
 /// A power beyond this is left a call: its error grows with the exponent.
 const LARGEST_POWER: i32 = 8;
@@ -76,7 +74,7 @@ fn powers(graph: &Graph, roots: &[ExprId]) -> BTreeMap<ExprId, i32> {
             .iter()
             .map(|(coefficient, id)| {
                 let ratio = coefficient / base;
-                let exponent = ratio.to_integer().to_i32().filter(|_| ratio.is_integer())?;
+                let exponent = ratio.to_i32()?;
                 (exponent.abs() <= LARGEST_POWER).then_some((*id, exponent))
             })
             .collect();
@@ -89,7 +87,7 @@ fn powers(graph: &Graph, roots: &[ExprId]) -> BTreeMap<ExprId, i32> {
 /// exp(nu) as exp(u)ⁿ.
 fn power_of_base(graph: &mut Graph, id: ExprId, exponent: &i32) -> Option<ExprId> {
     let argument = operand_of(graph, id, Function::Exp)?;
-    let base = graph.scale(argument, Rational::new(1.into(), (*exponent).into()));
+    let base = graph.scale(argument, ratio(1, i64::from(*exponent)));
     let base = applied(graph, Function::Exp, base);
     Some(product(graph, vec![(base, *exponent)]))
 }

@@ -134,6 +134,13 @@ pub(super) fn cancelling_fractions(graph: &mut Graph, id: ExprId) -> Option<Expr
     let Node::Sum(terms) = graph.node(id).clone() else {
         return None;
     };
+    let is_fraction = |(term, _): &(ExprId, Rational)| match graph.node(*term) {
+        Node::Product(factors) => factors.iter().any(|(_, exponent)| *exponent < 0),
+        _ => false,
+    };
+    if !terms.iter().any(is_fraction) {
+        return None;
+    }
     let powers: Vec<Powers> = terms
         .iter()
         .map(|(term, _)| parts(graph, *term).1.into_iter().collect())

@@ -3,50 +3,42 @@
 
 use std::collections::{HashMap, HashSet};
 
-use num_traits::One;
-
 use super::fractions::root_of_quotient;
 use super::rules::{exact_root, parts};
-use super::{applied, product, simplify};
+use super::{applied, changed, product, simplify};
 use crate::graph::{ExprId, Function, Graph, Node, Rational};
 
 /// Rebuilds the roots of the graph so that square roots which differ by a square of known factors are shared.
-pub fn share(graph: &Graph, roots: &[ExprId]) -> (Graph, Vec<ExprId>) {
-    let shared = differing_by_squares(graph, roots);
-    let mut target = Graph::with_symbols_of(graph);
+pub fn share(graph: Graph, roots: Vec<ExprId>) -> (Graph, Vec<ExprId>) {
+    let shared = differing_by_squares(&graph, &roots);
+    if shared.is_empty() {
+        return (graph, roots);
+    }
+    let mut target = Graph::with_symbols_of(&graph);
     let mut known = HashMap::new();
-    let roots = graph.rebuild(&mut target, roots, |target, original, image| {
-        match target.node(image) {
-            Node::Apply(Function::Sqrt, operands) if shared.contains(&original) => {
-                let radicand = operands[0];
-                multiple_of_shared(target, radicand, &mut known).unwrap_or(image)
-            }
-            _ => simplify(target, image),
+    let roots = graph.rebuild(&mut target, &roots, |target, original, image| match target
+        .node(image)
+    {
+        Node::Apply(Function::Sqrt, operands) if shared.contains(&original) => {
+            let radicand = operands[0];
+            multiple_of_shared(target, radicand, &mut known).unwrap_or(image)
         }
+        _ => simplify(target, image),
     });
     (target, roots)
 }
 
-/// Rebuilds the roots of the graph with one square root in each product. It saves roots unless one of them is needed
-/// alone as well, so that it is no rule, but one of the ways among which the cheapest is chosen.
-pub fn join(graph: &Graph, roots: &[ExprId]) -> (Graph, Vec<ExprId>) {
-    let mut target = Graph::with_symbols_of(graph);
-    let roots = graph.rebuild(&mut target, roots, |target, _, image| {
-        let image = simplify(target, image);
-        joined(target, image).unwrap_or(image)
-    });
-    (target, roots)
+/// Rebuilds the roots of the graph with one square root in each product; None where no product has two. It saves roots
+/// unless one of them is needed alone as well, so that it is no rule, but one of the ways among which the cheapest is
+/// chosen.
+pub fn join(graph: &Graph, roots: &[ExprId]) -> Option<(Graph, Vec<ExprId>)> {
+    changed(graph, roots, joined)
 }
 
-/// Rebuilds the roots of the graph with √(ab)/|b| for √(a/b). It saves a division beside others by b, but ab may leave
-/// the range of numbers where a/b does not.
-pub fn without_quotients(graph: &Graph, roots: &[ExprId]) -> (Graph, Vec<ExprId>) {
-    let mut target = Graph::with_symbols_of(graph);
-    let roots = graph.rebuild(&mut target, roots, |target, _, image| {
-        let image = simplify(target, image);
-        root_of_quotient(target, image).unwrap_or(image)
-    });
-    (target, roots)
+/// Rebuilds the roots of the graph with √(ab)/|b| for √(a/b); None where there is no root of a quotient. It saves a division
+/// beside others by b, but ab may leave the range of numbers where a/b does not.
+pub fn without_quotients(graph: &Graph, roots: &[ExprId]) -> Option<(Graph, Vec<ExprId>)> {
+    changed(graph, roots, root_of_quotient)
 }
 
 /// A product with one root for all that it has.

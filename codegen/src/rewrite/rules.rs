@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use num_bigint::BigInt;
-use num_traits::{One, Pow, Signed, Zero};
+use num_traits::Signed;
 
 use super::exponentials::product_of_exponentials;
 use super::fractions::{
@@ -78,8 +78,8 @@ pub(crate) fn parts(graph: &Graph, id: ExprId) -> (Rational, Vec<(ExprId, i32)>)
             let (coefficient, factors) = parts(graph, terms[0].0);
             (&terms[0].1 * coefficient, factors)
         }
-        Node::Product(factors) => (Rational::one(), factors.clone()),
-        _ => (Rational::one(), vec![(id, 1)]),
+        Node::Product(factors) => (Rational::ONE, factors.clone()),
+        _ => (Rational::ONE, vec![(id, 1)]),
     }
 }
 
@@ -121,11 +121,14 @@ fn root_of_power(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
 
 /// The rational root of a rational square.
 pub(super) fn exact_root(value: &Rational) -> Option<Rational> {
-    let root = |whole: &BigInt| Some(whole.sqrt()).filter(|root| root * root == *whole);
+    let root = |whole: BigInt| Some(whole.sqrt()).filter(|root| root * root == whole);
     if value.is_negative() {
         return None;
     }
-    Some(Rational::new(root(value.numer())?, root(value.denom())?))
+    Some(Rational::new(
+        root(value.numerator())?,
+        root(value.denominator())?,
+    ))
 }
 
 fn root_of_multiple(graph: &mut Graph, id: ExprId) -> Option<ExprId> {

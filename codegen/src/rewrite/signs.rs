@@ -4,7 +4,7 @@
 //! `f64::signum` gives, 1 at `0.0` and −1 at `-0.0`. So the sign of a product is the product of the signs even there, and
 //! where a number is known not to be negative its sign is 1, as if it were above 0.
 
-use num_traits::{One, Signed};
+use num_traits::Signed;
 
 use super::rules::{operand_of, parts, scaled};
 use super::{applied, product};

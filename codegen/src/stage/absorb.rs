@@ -6,8 +6,6 @@
 
 use std::collections::BTreeSet;
 
-use num_traits::Signed;
-
 use super::Stage;
 use crate::graph::{ExprId, Function, Graph, Node, SymbolId};
 use crate::rewrite::rules::parts;
@@ -80,7 +78,7 @@ fn absorbed(graph: &mut Graph, stages: &mut Stages<'_>, id: ExprId) -> Option<Ex
         .partition(|(factor, _)| {
             stages.of(*factor) == Stage::Fixed && graph.sign(*factor).is_not_negative()
         });
-    if taken.is_empty() && coefficient.abs() == num_traits::One::one() {
+    if taken.is_empty() && coefficient.is_unit() {
         return None;
     }
     let squares = taken

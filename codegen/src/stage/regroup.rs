@@ -5,8 +5,6 @@
 
 use std::collections::BTreeSet;
 
-use num_traits::{One, Pow, Signed};
-
 use super::{Stage, split, stages};
 use crate::factor::circuit::{Circuit, Net, Operation};
 use crate::graph::{Rational, SymbolId};
@@ -63,18 +61,18 @@ impl Regrouping<'_> {
     fn image(&mut self, net: Net) -> (Rational, Net) {
         let operation = self.old.operation(net);
         if self.stages[net.index()] != Stage::Point {
-            return (Rational::one(), self.copied(net));
+            return (Rational::ONE, self.copied(net));
         }
         match operation {
             Operation::Sum(terms) if terms.len() > 1 => {
                 let terms = terms.clone();
-                (Rational::one(), self.sum(&terms, None))
+                (Rational::ONE, self.sum(&terms, None))
             }
             Operation::Sum(_) | Operation::Product(_) | Operation::Quotient(..) => {
                 let factors = self.factors(net);
                 self.product(factors)
             }
-            _ => (Rational::one(), self.copied(net)),
+            _ => (Rational::ONE, self.copied(net)),
         }
     }
 
@@ -104,7 +102,7 @@ impl Regrouping<'_> {
     /// The factors of an operation at the points; products that only it uses are opened.
     fn factors(&self, net: Net) -> Factors {
         let mut factors = Factors {
-            coefficient: Rational::one(),
+            coefficient: Rational::ONE,
             fixed: Vec::new(),
             along: Vec::new(),
             at_points: Vec::new(),
@@ -117,7 +115,7 @@ impl Regrouping<'_> {
         let open = open || self.uses[net.index()] == 1;
         let at_points = self.stages[net.index()] == Stage::Point;
         match self.old.operation(net) {
-            Operation::Number(value) => factors.coefficient *= value.clone().pow(power),
+            Operation::Number(value) => factors.coefficient *= &value.pow(power),
             Operation::Product(operands) if open && at_points => {
                 for (operand, exponent) in operands {
                     let whole = i32::try_from(*exponent).unwrap_or(i32::MAX);
@@ -131,7 +129,7 @@ impl Regrouping<'_> {
                 self.gather_operand(*denominator, -power, power.abs() == 1, factors);
             }
             Operation::Sum(terms) if open && at_points && terms.len() == 1 => {
-                factors.coefficient *= terms[0].1.clone().pow(power);
+                factors.coefficient *= &terms[0].1.pow(power);
                 self.gather_operand(terms[0].0, power, power.abs() == 1, factors);
             }
             _ => {
@@ -166,9 +164,9 @@ impl Regrouping<'_> {
         let fixed = self.powers(&factors.fixed);
         let fixed = self.new.sum([(fixed, factors.coefficient.clone())]);
         if let Some(sum) = self.distributed(fixed, &factors) {
-            return (Rational::one(), sum);
+            return (Rational::ONE, sum);
         }
-        let coefficient = Rational::one();
+        let coefficient = Rational::ONE;
         self.product_beside(
             Some(fixed),
             Factors {
@@ -216,7 +214,7 @@ impl Regrouping<'_> {
             let stage = self.stages[net.index()];
             let own = self.uses[net.index()] == 1;
             stage.stands_still()
-                || !coefficient.abs().is_one() && stage == Stage::Along
+                || !coefficient.is_unit() && stage == Stage::Along
                 || stage == Stage::Point && own && !self.factors(net).fixed.is_empty()
         };
         let all = terms
@@ -251,12 +249,12 @@ impl Regrouping<'_> {
         if !fixed.is_empty() {
             let fixed = self.new.sum(fixed);
             at_points.push(match scale {
-                Some(scale) => (self.new.product([(scale, 1), (fixed, 1)]), Rational::one()),
-                None => (fixed, Rational::one()),
+                Some(scale) => (self.new.product([(scale, 1), (fixed, 1)]), Rational::ONE),
+                None => (fixed, Rational::ONE),
             });
         }
         if !along.is_empty() {
-            at_points.push((self.new.sum(along), Rational::one()));
+            at_points.push((self.new.sum(along), Rational::ONE));
         }
         self.new.sum(at_points)
     }
@@ -288,13 +286,13 @@ impl Regrouping<'_> {
             let image = self.images[operand.index()];
             return self.scaled_term(image, coefficient, scale);
         };
-        factors.coefficient *= coefficient.abs();
+        factors.coefficient *= &coefficient.abs();
         if let Some(scale) = scale {
             // The scale is an operation of the new circuit; it joins the image of the part that stands still.
             let fixed = self.powers(&factors.fixed);
             let fixed = self.new.sum([(fixed, factors.coefficient.clone())]);
             let fixed = self.new.product([(scale, 1), (fixed, 1)]);
-            factors.coefficient = Rational::one();
+            factors.coefficient = Rational::ONE;
             let (rest, product) = self.product_beside(Some(fixed), factors);
             return (product, rest * coefficient.signum());
         }

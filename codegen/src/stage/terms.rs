@@ -2,8 +2,6 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use num_traits::One;
-
 use super::{Stage, split, stages};
 use crate::factor::circuit::{Circuit, Net, Operation};
 use crate::graph::{Rational, SymbolId};
@@ -80,7 +78,7 @@ fn at_points(
                 let (mut terms, common) = rebuilt(&stages, &images, terms);
                 for (factor, parts) in common {
                     let sum = new.sum(parts);
-                    terms.push((new.product([(sum, 1), (factor, 1)]), Rational::one()));
+                    terms.push((new.product([(sum, 1), (factor, 1)]), Rational::ONE));
                 }
                 new.sum(terms)
             }

@@ -1,5 +1,7 @@
 //! Calls of other formulas, of their partials and tables, and integrals.
 
+use std::sync::Arc;
+
 use std::collections::BTreeMap;
 
 use proc_macro2::Span;
@@ -73,7 +75,11 @@ impl<'m> Reader<'m> {
     fn known_function(&mut self, name: &str, span: Span) -> Option<&'m Function> {
         let module = self.module;
         let Some(function) = module.function(name) else {
-            let names: Vec<String> = module.functions.iter().map(Function::name).collect();
+            let names: Vec<String> = module
+                .functions
+                .iter()
+                .map(|function| function.name())
+                .collect();
             let hint = match nearest(name, names.iter().map(String::as_str)) {
                 Some(candidate) => format!("did you mean `{candidate}`?"),
                 None => "formulas call formulas of their own module".to_owned(),
@@ -178,7 +184,7 @@ impl<'m> Reader<'m> {
             .iter()
             .position(|known| known.name == table.name)
             .unwrap_or_else(|| {
-                self.graph.tables.push(table);
+                Arc::make_mut(&mut self.graph.tables).push(table);
                 self.graph.tables.len() - 1
             });
         let Some(Value::Number(argument)) = arguments.first() else {

@@ -1,6 +1,5 @@
 //! Methods of numbers: powers, roots and the elementary functions.
 
-use num_traits::{ToPrimitive, Zero};
 use proc_macro2::Span;
 use syn::spanned::Spanned;
 use syn::{Expr, Lit, UnOp};
@@ -93,7 +92,7 @@ impl<'m> Reader<'m> {
     /// A product or power, unless its exponents or exact constants grow beyond what any formula has.
     pub(super) fn of_bounded_size(&mut self, id: ExprId, span: Span) -> Option<Value> {
         let fits = |value: &Rational| {
-            let bits = value.numer().bits().max(value.denom().bits());
+            let bits = value.numerator().bits().max(value.denominator().bits());
             let nearest = || value.to_f64().unwrap_or(f64::NAN);
             bits <= MOST_BITS && (value.is_zero() || nearest().is_normal())
         };
