@@ -1,4 +1,11 @@
 //! Generated bodies and the loops over them.
+//!
+//! Loops here count columns: the adapters of iterators and of arrays are functions of their own, which are not always put
+//! into the body where a crate is compiled in several parts.
+#![allow(
+    clippy::needless_range_loop,
+    reason = "iterators over arrays are not always inlined, see above"
+)]
 
 use fearless_simd::Simd;
 use thiserror::Error;
@@ -16,6 +23,9 @@ pub trait Kernel<const FIXED: usize, const ALONG: usize, const RESULTS: usize> {
         along: [Pack<S>; ALONG],
     ) -> [Pack<S>; RESULTS];
 }
+
+/// The longest pack of all levels.
+const LONGEST: usize = 8;
 
 /// All results of a kernel are wanted.
 pub const ALL: u64 = u64::MAX;
@@ -70,7 +80,11 @@ where
     K: Kernel<FIXED, ALONG, RESULTS>,
 {
     let store = Store::<'_, K, WANTED, FIXED, ALONG, RESULTS>::new(fixed, along, results)?;
-    level::run(level, store);
+    match store.rows {
+        0 => {}
+        1..LONGEST => store.run_lengthened(level),
+        _ => level::run(level, store),
+    }
     Ok(())
 }
 
@@ -157,6 +171,29 @@ where
         })
     }
 
+    /// The same for fewer rows than a pack may have, in columns that are lengthened by their last number.
+    fn run_lengthened(self, level: Level) {
+        let along = self.along.map(|column| {
+            let last = column.len().saturating_sub(1);
+            let number = |row: usize| column.get(row.min(last)).copied().unwrap_or(0.0);
+            std::array::from_fn::<f64, LONGEST, _>(number)
+        });
+        let mut results = [[0.0; LONGEST]; RESULTS];
+        let lengthened = Store::<'_, K, WANTED, FIXED, ALONG, RESULTS> {
+            rows: LONGEST,
+            fixed: self.fixed,
+            along: along.each_ref().map(|column| column.as_slice()),
+            results: results.each_mut().map(|column| column.as_mut_slice()),
+            kernel: self.kernel,
+        };
+        level::run(level, lengthened);
+        for (position, (column, lengthened)) in self.results.into_iter().zip(&results).enumerate() {
+            if is_wanted(WANTED, position) {
+                column.copy_from_slice(&lengthened[..self.rows]);
+            }
+        }
+    }
+
     /// The first row at which packs are lines of the cache, in the first result that is wanted.
     #[inline(always)]
     fn first_line<S: Simd>(&self) -> usize {
@@ -165,26 +202,42 @@ where
         first.map_or(0, |(_, column)| Stream::first_row::<S>(column))
     }
 
-    /// All rows, past the caches with a stream.
+    /// All rows, which are as many as a pack has at least.
     #[inline(always)]
-    fn write<S: Simd>(mut self, simd: S, stream: Option<&Stream>) {
-        let fixed = self.fixed.map(
-            #[inline(always)]
-            |number| Pack::splat(simd, number),
-        );
+    fn write<S: Simd>(self, simd: S) {
+        let fixed = splats(simd, self.fixed);
+        let length = Pack::<S>::LENGTH;
+        let last = self.rows.saturating_sub(length);
+        let mut row = 0;
+        loop {
+            // Evaluated at one place only: the body may be thousands of instructions.
+            let values = K::evaluate(simd, fixed, packs(simd, &self.along, row));
+            for position in 0..RESULTS {
+                if is_wanted(WANTED, position) {
+                    values[position].store(&mut self.results[position][row..row + length]);
+                }
+            }
+            if row >= last {
+                break;
+            }
+            // The last pack may overlap with the one before: both write the same.
+            row = (row + length).min(last);
+        }
+    }
+
+    /// All rows, past the caches. The whole packs have a loop of their own, for here stores are what takes time.
+    #[inline(always)]
+    fn write_past_caches<S: Simd>(mut self, simd: S, stream: &Stream) {
+        let fixed = splats(simd, self.fixed);
         let length = Pack::<S>::LENGTH;
         // The pack before the first line overlaps with it: both write the same.
-        let first = stream.map_or(0, |_| self.first_line::<S>());
+        let first = self.first_line::<S>();
         let mut row = 0;
         while row + length <= self.rows {
             let values = K::evaluate(simd, fixed, packs(simd, &self.along, row));
             for (position, (column, value)) in self.results.iter_mut().zip(&values).enumerate() {
                 if is_wanted(WANTED, position) {
-                    let slice = &mut column[row..row + length];
-                    match stream {
-                        Some(stream) => stream.store(*value, slice),
-                        None => value.store(slice),
-                    }
+                    stream.store(*value, &mut column[row..row + length]);
                 }
             }
             row = if row < first { first } else { row + length };
@@ -210,7 +263,7 @@ where
 
     #[inline(always)]
     fn run<S: Simd>(self, simd: S) {
-        self.write(simd, None);
+        self.write(simd);
     }
 }
 
@@ -243,10 +296,20 @@ where
         for (fixed, results) in self.lines {
             let line =
                 Store::<'_, K, WANTED, FIXED, ALONG, RESULTS>::new(&fixed, self.along, results)?;
-            line.write(simd, Some(&stream));
+            line.write_past_caches(simd, &stream);
         }
         Ok(())
     }
+}
+
+/// Every number in all rows of a pack.
+#[inline(always)]
+fn splats<S: Simd, const FIXED: usize>(simd: S, fixed: &[f64; FIXED]) -> [Pack<S>; FIXED] {
+    let mut packs = [Pack::splat(simd, 0.0); FIXED];
+    for place in 0..FIXED {
+        packs[place] = Pack::splat(simd, fixed[place]);
+    }
+    packs
 }
 
 /// The numbers of the rows from `row` on, of each column.
@@ -256,10 +319,11 @@ fn packs<S: Simd, const ALONG: usize>(
     along: &[&[f64]; ALONG],
     row: usize,
 ) -> [Pack<S>; ALONG] {
-    std::array::from_fn(
-        #[inline(always)]
-        |column| Pack::load(simd, &along[column][row..row + Pack::<S>::LENGTH]),
-    )
+    let mut packs = [Pack::splat(simd, 0.0); ALONG];
+    for column in 0..ALONG {
+        packs[column] = Pack::load(simd, &along[column][row..row + Pack::<S>::LENGTH]);
+    }
+    packs
 }
 
 /// The same of rows that are fewer than a pack.
@@ -269,10 +333,11 @@ fn tails<S: Simd, const ALONG: usize>(
     along: &[&[f64]; ALONG],
     row: usize,
 ) -> [Pack<S>; ALONG] {
-    std::array::from_fn(
-        #[inline(always)]
-        |column| Pack::load_tail(simd, &along[column][row..]),
-    )
+    let mut packs = [Pack::splat(simd, 0.0); ALONG];
+    for column in 0..ALONG {
+        packs[column] = Pack::load_tail(simd, &along[column][row..]);
+    }
+    packs
 }
 
 /// What takes the results of a kernel where they arise, without an output array.
@@ -342,10 +407,7 @@ where
 
     #[inline(always)]
     fn run<S: Simd>(self, simd: S) -> C::Output {
-        let fixed = self.fixed.map(
-            #[inline(always)]
-            |number| Pack::splat(simd, number),
-        );
+        let fixed = splats(simd, self.fixed);
         let length = Pack::<S>::LENGTH;
         let whole = self.rows - self.rows % length;
         let mut lanes = self.consumer.begin(simd);

@@ -113,9 +113,9 @@ pub(crate) trait Body {
 
 /// Runs a body on a level, or on the widest below it that the machine has.
 pub(crate) fn run<B: Body>(level: Level, body: B) -> B::Output {
-    use fearless_simd::Simd;
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
     {
+        use fearless_simd::Simd;
         let found = fearless_simd::Level::new();
         if let Some(simd) = found.as_avx512().filter(|_| level == Level::Avx512) {
             return simd.vectorize(
@@ -129,13 +129,33 @@ pub(crate) fn run<B: Body>(level: Level, body: B) -> B::Output {
                 || body.run(simd),
             );
         }
-        if let Some(simd) = found.as_sse2() {
-            return simd.vectorize(
-                #[inline(always)]
-                || body.run(simd),
-            );
-        }
     }
+    baseline(body)
+}
+
+#[cfg(all(
+    any(target_arch = "x86", target_arch = "x86_64"),
+    target_feature = "fxsr",
+    target_feature = "sse2"
+))]
+fn baseline<B: Body>(body: B) -> B::Output {
+    use fearless_simd::Simd;
+    // A choice among all levels would be one more copy of the body for each.
+    let Some(simd) = fearless_simd::Level::baseline().as_sse2() else {
+        unreachable!("every machine of the target has SSE2");
+    };
+    simd.vectorize(
+        #[inline(always)]
+        || body.run(simd),
+    )
+}
+
+#[cfg(not(all(
+    any(target_arch = "x86", target_arch = "x86_64"),
+    target_feature = "fxsr",
+    target_feature = "sse2"
+)))]
+fn baseline<B: Body>(body: B) -> B::Output {
     fearless_simd::dispatch!(fearless_simd::Level::baseline(), simd => body.run(simd))
 }
 
