@@ -4,35 +4,54 @@
 use std::io::{self, Write};
 use std::sync::Arc;
 
-use arrow_array::RecordBatch;
-use arrow_schema::Schema;
+use arrow_array::{ArrayRef, Float64Array, RecordBatch};
+use arrow_schema::{Field, Schema};
 use bytes::Bytes;
 use parquet::arrow::{ArrowSchemaConverter, ArrowWriter, add_encoded_arrow_schema_to_metadata};
 use parquet::column::writer::ColumnCloseResult;
 use parquet::errors::ParquetError;
 use parquet::file::metadata::{KeyValue, ParquetMetaDataReader};
-use parquet::file::properties::{EnabledStatistics, WriterProperties};
+use parquet::file::properties::{EnabledStatistics, WriterProperties, WriterPropertiesBuilder};
 use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::ColumnPath;
+use rustc_hash::FxHashSet;
 
-/// How columns are written: those that repeat few values as a dictionary, results plainly.
-fn properties(schema: &Schema) -> WriterProperties {
-    let mut properties = WriterProperties::builder()
+/// What is said of every file and part.
+fn properties() -> WriterPropertiesBuilder {
+    WriterProperties::builder()
         .set_created_by(concat!("rotor ", env!("CARGO_PKG_VERSION")).to_owned())
         .set_statistics_enabled(EnabledStatistics::Chunk)
         .set_offset_index_disabled(true)
-        .set_max_row_group_row_count(None);
-    for field in schema.fields().iter().filter(|field| field.is_nullable()) {
-        let path = ColumnPath::from(field.name().as_str());
-        properties = properties.set_column_dictionary_enabled(path, false);
-    }
-    properties.build()
+        .set_max_row_group_row_count(None)
+}
+
+/// A column that has each number this often on average is written as a dictionary.
+const REPEATS: usize = 4;
+
+/// Whether a dictionary of its numbers is worth it, as it is for axes, but neither for samples nor for results.
+fn has_few_numbers(field: &Field, column: &ArrayRef) -> bool {
+    let Some(numbers) = column.as_any().downcast_ref::<Float64Array>() else {
+        return !field.is_nullable();
+    };
+    let most = numbers.len() / REPEATS;
+    let mut seen = FxHashSet::default();
+    let mut is_few = |number: &f64| {
+        seen.insert(number.to_bits());
+        seen.len() <= most
+    };
+    !field.is_nullable() && numbers.values().iter().all(&mut is_few)
 }
 
 /// Encodes a batch.
 pub(super) fn encode(batch: &RecordBatch) -> io::Result<Vec<u8>> {
     let schema = batch.schema();
-    let properties = Some(properties(&schema));
+    let mut properties = properties();
+    for (field, column) in schema.fields().iter().zip(batch.columns()) {
+        let path = ColumnPath::from(field.name().as_str());
+        let has_few = has_few_numbers(field, column);
+        properties = properties.set_column_dictionary_enabled(path, has_few);
+    }
+    let properties = Some(properties.build());
     let mut writer = ArrowWriter::try_new(Vec::new(), schema, properties).map_err(of_system)?;
     writer.write(batch).map_err(of_system)?;
     writer.into_inner().map_err(of_system)
@@ -43,7 +62,7 @@ pub(crate) struct Joined<W: Write + Send>(SerializedFileWriter<W>);
 
 impl<W: Write + Send> Joined<W> {
     pub(super) fn new(output: W, schema: &Schema) -> io::Result<Self> {
-        let mut properties = properties(schema);
+        let mut properties = properties().build();
         add_encoded_arrow_schema_to_metadata(schema, &mut properties);
         let columns = ArrowSchemaConverter::new()
             .convert(schema)
