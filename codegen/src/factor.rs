@@ -276,34 +276,18 @@ fn forward(graph: &Graph, outputs: &Outputs) -> Option<(Graph, Vec<ExprId>)> {
     Some((graph, all))
 }
 
-/// Expressions of a graph.
-type Form = (Graph, Vec<ExprId>);
-
 /// The outputs in every form that may turn out to be cheapest, each once.
 fn lowered_forms(graph: Graph, roots: Vec<ExprId>, outputs: &Outputs) -> Vec<Circuit> {
     let mut forms = vec![(graph, roots)];
-    let ways = [
-        rewrite::roots::without_quotients,
-        rewrite::common::take_out,
-        rewrite::roots::join,
-        rewrite::roots::without_quotients,
-    ];
-    let mut joined = 0;
-    for (place, way) in ways.into_iter().enumerate() {
-        let last = &forms[forms.len() - 1];
-        if let Some((graph, roots)) = way(&last.0, &last.1) {
-            forms.push(rewrite::rewrite(&graph, &roots));
-        }
-        if place == 2 {
-            joined = forms.len() - 1;
-        }
-    }
-    let (graph, roots) = &forms[joined];
-    let exponentials = rewrite::exponentials::forms(graph, roots).into_iter();
-    let exponentials: Vec<Form> = exponentials
-        .map(|(graph, roots)| rewrite::rewrite(&graph, &roots))
-        .collect();
-    forms.extend(exponentials);
+    rewrite::go_on(&mut forms, rewrite::roots::without_quotients);
+    rewrite::go_on(&mut forms, rewrite::common::take_out);
+    rewrite::go_on(&mut forms, rewrite::roots::join);
+    let exponentials = forms
+        .last()
+        .map(|(graph, roots)| rewrite::exponentials::forms(graph, roots));
+    rewrite::go_on(&mut forms, rewrite::roots::without_quotients);
+    let exponentials = exponentials.into_iter().flatten();
+    forms.extend(exponentials.map(|(graph, roots)| rewrite::rewrite(&graph, &roots)));
     let lowered = on_all_cores(&forms, |(graph, roots)| {
         let mut graph = graph.clone();
         let rebuilt = homogeneous::rebuild_values(&mut graph, &outputs.with_all(roots));

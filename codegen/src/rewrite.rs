@@ -30,8 +30,17 @@ pub struct Rule {
 /// a build.
 const MOST_STEPS: usize = 64;
 
+/// Expressions of a graph.
+pub type Form = (Graph, Vec<ExprId>);
+
+/// Adds what a way of rewriting makes of the last form, rewritten by the rules, if it makes anything of it.
+pub fn go_on(forms: &mut Vec<Form>, way: fn(&Graph, &[ExprId]) -> Option<Form>) {
+    let changed = forms.last().and_then(|(graph, roots)| way(graph, roots));
+    forms.extend(changed.map(|(graph, roots)| rewrite(&graph, &roots)));
+}
+
 /// Rewrites the roots into a new graph.
-pub fn rewrite(graph: &Graph, roots: &[ExprId]) -> (Graph, Vec<ExprId>) {
+pub fn rewrite(graph: &Graph, roots: &[ExprId]) -> Form {
     let mut target = Graph::with_symbols_of(graph);
     let roots = graph.rebuild(&mut target, roots, |target, _, image| {
         simplify(target, image)
@@ -44,7 +53,7 @@ fn changed(
     graph: &Graph,
     roots: &[ExprId],
     change: fn(&mut Graph, ExprId) -> Option<ExprId>,
-) -> Option<(Graph, Vec<ExprId>)> {
+) -> Option<Form> {
     let mut target = Graph::with_symbols_of(graph);
     let mut any = false;
     let roots = graph.rebuild(&mut target, roots, |target, _, image| {

@@ -20,7 +20,7 @@ use crate::factor::extract::{self, ORDERS};
 use crate::factor::rounding::Reference;
 use crate::factor::{self, Outputs, lower};
 use crate::graph::{ExprId, Graph, SymbolId};
-use crate::rewrite;
+use crate::rewrite::{self, Form};
 pub use split::{Staged, split};
 
 /// What an operation depends on.
@@ -112,17 +112,13 @@ pub fn minimise(graph: &Graph, outputs: &Outputs, inner: &BTreeSet<SymbolId>) ->
 }
 
 /// The outputs in every form that may turn out to leave the fewest operations at the points.
-fn forms(graph: &Graph, roots: &[ExprId], inner: &BTreeSet<SymbolId>) -> Vec<(Graph, Vec<ExprId>)> {
+fn forms(graph: &Graph, roots: &[ExprId], inner: &BTreeSet<SymbolId>) -> Vec<Form> {
     let written = rewrite::rewrite(graph, roots);
     let merged = factor::identities::merge(graph, roots);
     let merged = rewrite::rewrite(&merged.0, &merged.1);
     let mut forms = vec![written, merged];
-    for way in [rewrite::common::take_out, rewrite::roots::join] {
-        let last = &forms[forms.len() - 1];
-        if let Some((graph, roots)) = way(&last.0, &last.1) {
-            forms.push(rewrite::rewrite(&graph, &roots));
-        }
-    }
+    rewrite::go_on(&mut forms, rewrite::common::take_out);
+    rewrite::go_on(&mut forms, rewrite::roots::join);
     let absorbed = forms
         .iter()
         .map(|(graph, roots)| absorb::into_roots(graph, roots, inner));

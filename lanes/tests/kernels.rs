@@ -93,11 +93,15 @@ fn a_grid_past_the_caches_wherever_it_lies() {
 
 #[test]
 fn what_is_not_wanted_is_left_alone() {
-    let [x, y] = columns(11);
-    let mut second = vec![0.0; 11];
-    store::<Line, 2, 1, 2, 2>(Level::best(), &[3.0], [&x, &y], [&mut [], &mut second]).unwrap();
-    assert_eq!(second[0], 7.0);
-    store::<Line, 0, 1, 2, 2>(Level::best(), &[3.0], [&x, &y], [&mut [], &mut []]).unwrap();
+    // Fewer rows than a pack has, and more.
+    for rows in [5, 11] {
+        let [x, y] = columns(rows);
+        let mut second = vec![f64::NAN; rows];
+        let results = [&mut [][..], &mut second];
+        store::<Line, 2, 1, 2, 2>(Level::best(), &[3.0], [&x, &y], results).unwrap();
+        assert!(second.iter().zip(&x).all(|(size, x)| *size == x.abs()));
+        store::<Line, 0, 1, 2, 2>(Level::best(), &[3.0], [&x, &y], [&mut [], &mut []]).unwrap();
+    }
 }
 
 #[test]

@@ -240,18 +240,11 @@ impl Circuit {
             match self.as_number(operand) {
                 Some(number) if power > 0 && number.is_zero() => return operand,
                 Some(number) if number.is_one() => {}
-                _ if power > 0 => collected.push((operand, power)),
-                _ => {}
+                _ => collected.push((operand, power)),
             }
         }
-        collected.sort_unstable_by_key(|(operand, _)| *operand);
-        let mut factors: Vec<(Net, u32)> = Vec::with_capacity(collected.len());
-        for (operand, power) in collected {
-            match factors.last_mut() {
-                Some((last, powers)) if *last == operand => *powers += power,
-                _ => factors.push((operand, power)),
-            }
-        }
+        rational::collect(&mut collected);
+        let factors = collected;
         match factors.as_slice() {
             [] => self.number(Rational::ONE),
             [(operand, 1)] => *operand,

@@ -52,8 +52,8 @@ pub fn extract(circuit: &mut Circuit, steps: &[Step]) {
         match step {
             Step::Factors => factor_sums(circuit, false),
             Step::SharedFactors => factor_sums(circuit, true),
-            Step::Products => pairs::share_products(circuit),
-            Step::Sums => pairs::share_sums(circuit),
+            Step::Products => pairs::share::<u32>(circuit),
+            Step::Sums => pairs::share::<Rational>(circuit),
             Step::Multiples => gather_multiples(circuit),
             Step::Coefficients => coefficients::open(circuit),
             Step::Distribute => coefficients::distribute(circuit),

@@ -7,11 +7,62 @@ use std::hash::Hash;
 use rustc_hash::FxHashMap;
 
 use super::circuit::{Circuit, Net, Operation};
-use crate::graph::Rational;
+use crate::graph::{Rational, rational};
 
-/// Products or sums by their handles, each with its members by ascending handle: factors with powers, or terms with
-/// coefficients.
-type Members<V> = FxHashMap<Net, Vec<(Net, V)>>;
+/// What stands at a member of an operation: the power of a factor, or the coefficient of a term.
+pub(super) trait Share: Clone {
+    /// Two members of which several operations may have a multiple.
+    type Pair: Clone + Ord + Hash;
+
+    /// The members of an operation of this kind.
+    fn members(operation: &Operation) -> Option<&Vec<(Net, Self)>>;
+
+    /// The operation of these members.
+    fn operation(members: Vec<(Net, Self)>) -> Operation;
+
+    /// The pairs with a changed member, and how often each is there.
+    fn pairs(members: &[(Net, Self)], is_changed: impl Fn(Net) -> bool)
+    -> Vec<(Self::Pair, usize)>;
+
+    /// What a pair is, and its members.
+    fn shared(circuit: &mut Circuit, pair: &Self::Pair) -> (Net, [Net; 2]);
+
+    /// Replaces a pair by what it is, as often as it is there; false where it is not.
+    fn take(members: &mut Vec<(Net, Self)>, pair: &Self::Pair, shared: Net) -> bool;
+}
+
+/// Computes the pairs that several operations of a kind have once.
+pub(super) fn share<S: Share>(circuit: &mut Circuit) {
+    let mut members: FxHashMap<Net, Vec<(Net, S)>> = FxHashMap::default();
+    let mut pairs = Pairs::new();
+    for net in circuit.nets() {
+        if let Some(own) = S::members(circuit.operation(net)) {
+            pairs.add(net, S::pairs(own, |_| true));
+            members.insert(net, own.clone());
+        }
+    }
+    while let Some((pair, places)) = pairs.most_frequent() {
+        let (shared, [a, b]) = S::shared(circuit, &pair);
+        let is_changed = |net| [a, b, shared].contains(&net);
+        for place in places {
+            let Some(own) = members.get_mut(&place) else {
+                continue;
+            };
+            if place == shared {
+                // The shared operation itself is not taken apart any further.
+                pairs.remove(S::pairs(own, |_| true));
+                members.remove(&place);
+                continue;
+            }
+            let before = S::pairs(own, is_changed);
+            if S::take(own, &pair, shared) {
+                pairs.remove(before);
+                pairs.add(place, S::pairs(own, is_changed));
+                circuit.replace(place, S::operation(own.clone()));
+            }
+        }
+    }
+}
 
 /// Which pairs the members have.
 struct Pairs<K> {
@@ -92,150 +143,164 @@ fn positions<V>(members: &[(Net, V)], is_changed: impl Fn(Net) -> bool) -> Vec<(
     positions
 }
 
-/// Two factors, and how often their product is in a product.
-fn factor_pairs(
-    factors: &[(Net, u32)],
-    is_changed: impl Fn(Net) -> bool,
-) -> Vec<((Net, Net), usize)> {
-    let squares = factors
-        .iter()
-        .filter(|(net, power)| *power >= 2 && is_changed(*net))
-        .map(|(net, power)| ((*net, *net), (power / 2) as usize));
-    let pairs = positions(factors, &is_changed).into_iter().map(|(i, j)| {
-        let ((a, power_a), (b, power_b)) = (factors[i], factors[j]);
-        ((a, b), power_a.min(power_b) as usize)
-    });
-    squares.chain(pairs).collect()
-}
+/// Factors with powers; a pair is a product of two.
+impl Share for u32 {
+    type Pair = (Net, Net);
 
-/// A product of two factors that several products have is computed once.
-pub(super) fn share_products(circuit: &mut Circuit) {
-    let mut members: Members<u32> = FxHashMap::default();
-    let mut pairs = Pairs::new();
-    for net in circuit.nets() {
-        if let Operation::Product(factors) = circuit.operation(net) {
-            pairs.add(net, factor_pairs(factors, |_| true));
-            members.insert(net, factors.clone());
+    fn members(operation: &Operation) -> Option<&Vec<(Net, Self)>> {
+        match operation {
+            Operation::Product(factors) => Some(factors),
+            _ => None,
         }
     }
-    while let Some(((a, b), places)) = pairs.most_frequent() {
+
+    fn operation(members: Vec<(Net, Self)>) -> Operation {
+        Operation::Product(members)
+    }
+
+    fn pairs(
+        factors: &[(Net, Self)],
+        is_changed: impl Fn(Net) -> bool,
+    ) -> Vec<(Self::Pair, usize)> {
+        let squares = factors
+            .iter()
+            .filter(|(net, power)| *power >= 2 && is_changed(*net))
+            .map(|(net, power)| ((*net, *net), (power / 2) as usize));
+        let pairs = positions(factors, &is_changed).into_iter().map(|(i, j)| {
+            let ((a, power_a), (b, power_b)) = (factors[i], factors[j]);
+            ((a, b), power_a.min(power_b) as usize)
+        });
+        squares.chain(pairs).collect()
+    }
+
+    fn shared(circuit: &mut Circuit, (a, b): &Self::Pair) -> (Net, [Net; 2]) {
+        (circuit.product([(*a, 1), (*b, 1)]), [*a, *b])
+    }
+
+    fn take(factors: &mut Vec<(Net, Self)>, (a, b): &Self::Pair, shared: Net) -> bool {
+        let power_of = |net: &Net| {
+            let factor = factors.iter().find(|(factor, _)| factor == net);
+            factor.map_or(0, |(_, power)| *power)
+        };
+        let times = if a == b {
+            power_of(a) / 2
+        } else {
+            power_of(a).min(power_of(b))
+        };
+        if times == 0 {
+            return false;
+        }
+        for (factor, power) in factors.iter_mut() {
+            // Twice where a is b.
+            *power -= times * (Self::from(factor == a) + Self::from(factor == b));
+        }
+        factors.push((shared, times));
+        rational::collect(factors);
+        true
+    }
+}
+
+/// Terms with coefficients; a pair is a sum of two, given by the ratio of the second's coefficient to the first's.
+impl Share for Rational {
+    type Pair = (Net, Net, Self);
+
+    fn members(operation: &Operation) -> Option<&Vec<(Net, Self)>> {
+        match operation {
+            Operation::Sum(terms) => Some(terms),
+            _ => None,
+        }
+    }
+
+    fn operation(members: Vec<(Net, Self)>) -> Operation {
+        Operation::Sum(members)
+    }
+
+    fn pairs(terms: &[(Net, Self)], is_changed: impl Fn(Net) -> bool) -> Vec<(Self::Pair, usize)> {
+        let pairs = positions(terms, is_changed).into_iter().map(|(i, j)| {
+            let ((a, first), (b, second)) = (&terms[i], &terms[j]);
+            ((*a, *b, second / first), 1)
+        });
+        pairs.collect()
+    }
+
+    fn shared(circuit: &mut Circuit, (a, b, ratio): &Self::Pair) -> (Net, [Net; 2]) {
+        let terms = [(*a, Self::ONE), (*b, ratio.clone())];
+        (circuit.sum(terms), [*a, *b])
+    }
+
+    fn take(terms: &mut Vec<(Net, Self)>, (a, b, ratio): &Self::Pair, shared: Net) -> bool {
+        let coefficient_of = |net: &Net| {
+            let term = terms.iter().find(|(term, _)| term == net);
+            term.map(|(_, coefficient)| coefficient.clone())
+        };
+        let (Some(first), Some(second)) = (coefficient_of(a), coefficient_of(b)) else {
+            return false;
+        };
+        if second != &first * ratio {
+            return false;
+        }
+        terms.retain(|(term, _)| ![a, b].contains(&term));
+        // The shared sum may be a term of this one already.
+        terms.push((shared, first));
+        rational::collect(terms);
+        true
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::graph::{Graph, ratio, whole};
+
+    /// Symbols of a circuit.
+    fn symbols<const N: usize>(circuit: &mut Circuit) -> [Net; N] {
+        let mut graph = Graph::new();
+        std::array::from_fn(|place| {
+            let symbol = graph.symbol_named(&format!("x{place}"));
+            circuit.push(Operation::Symbol(symbol))
+        })
+    }
+
+    #[test]
+    fn the_most_frequent_product_comes_first_and_a_power_has_it_often() {
+        let mut circuit = Circuit::default();
+        let [a, b, c] = symbols(&mut circuit);
+        // a·b is in the first three times, in the second once; b·c is in the second only.
+        let first = circuit.product([(a, 3), (b, 3)]);
+        let second = circuit.product([(a, 1), (b, 1), (c, 1)]);
+        share::<u32>(&mut circuit);
         let shared = circuit.product([(a, 1), (b, 1)]);
-        let is_changed = |net| [a, b, shared].contains(&net);
-        for place in places {
-            let Some(factors) = members.get_mut(&place) else {
-                continue;
-            };
-            if place == shared {
-                // The shared product itself is not taken apart any further.
-                pairs.remove(factor_pairs(factors, |_| true));
-                members.remove(&place);
-                continue;
-            }
-            let before = factor_pairs(factors, is_changed);
-            if take_pair(factors, a, b, shared) {
-                pairs.remove(before);
-                pairs.add(place, factor_pairs(factors, is_changed));
-                circuit.replace(place, Operation::Product(factors.clone()));
-            }
-        }
+        assert_eq!(
+            circuit.operation(second),
+            &Operation::Product(vec![(c, 1), (shared, 1)])
+        );
+        let Operation::Product(factors) = circuit.operation(first) else {
+            panic!("{:?}", circuit.operation(first));
+        };
+        // Of (a·b)³, (a·b)² is no pair of several.
+        assert_eq!(factors, &[(shared, 3)]);
     }
-}
 
-/// Replaces a·b by one factor, as often as it occurs; false where it does not.
-fn take_pair(factors: &mut Vec<(Net, u32)>, a: Net, b: Net, shared: Net) -> bool {
-    let power_of = |net: Net| {
-        let factor = factors.iter().find(|(factor, _)| *factor == net);
-        factor.map_or(0, |(_, power)| *power)
-    };
-    let times = if a == b {
-        power_of(a) / 2
-    } else {
-        power_of(a).min(power_of(b))
-    };
-    if times == 0 {
-        return false;
+    #[test]
+    fn sums_are_shared_up_to_a_factor_and_only_in_their_ratio() {
+        let mut circuit = Circuit::default();
+        let [a, b, c, d] = symbols(&mut circuit);
+        let terms =
+            |factor: i64, last: Net| [(a, whole(factor)), (b, whole(2 * factor)), (last, whole(1))];
+        let first = circuit.sum(terms(1, c));
+        let second = circuit.sum(terms(-3, d));
+        let other = circuit.sum([(a, whole(1)), (b, ratio(1, 2)), (c, whole(1))]);
+        let before = circuit.operation(other).clone();
+        share::<Rational>(&mut circuit);
+        let shared = circuit.sum([(a, whole(1)), (b, whole(2))]);
+        assert_eq!(
+            circuit.operation(first),
+            &Operation::Sum(vec![(c, whole(1)), (shared, whole(1))])
+        );
+        assert_eq!(
+            circuit.operation(second),
+            &Operation::Sum(vec![(d, whole(1)), (shared, whole(-3))])
+        );
+        assert_eq!(circuit.operation(other), &before);
     }
-    for (factor, power) in factors.iter_mut() {
-        // Twice where a is b.
-        *power -= times * (u32::from(*factor == a) + u32::from(*factor == b));
-    }
-    factors.retain(|(_, power)| *power > 0);
-    match factors.binary_search_by_key(&shared, |(factor, _)| *factor) {
-        Ok(position) => factors[position].1 += times,
-        Err(position) => factors.insert(position, (shared, times)),
-    }
-    true
-}
-
-/// A pair of terms by their handles and the ratio of their coefficients.
-type TermPair = (Net, Net, Rational);
-
-fn term_pairs(
-    terms: &[(Net, Rational)],
-    is_changed: impl Fn(Net) -> bool,
-) -> Vec<(TermPair, usize)> {
-    let pairs = positions(terms, is_changed).into_iter().map(|(i, j)| {
-        let ((a, first), (b, second)) = (&terms[i], &terms[j]);
-        ((*a, *b, second / first), 1)
-    });
-    pairs.collect()
-}
-
-/// A sum of two terms that several sums have, up to a common factor, is computed once.
-pub(super) fn share_sums(circuit: &mut Circuit) {
-    let mut members: Members<Rational> = FxHashMap::default();
-    let mut pairs = Pairs::new();
-    for net in circuit.nets() {
-        if let Operation::Sum(terms) = circuit.operation(net) {
-            pairs.add(net, term_pairs(terms, |_| true));
-            members.insert(net, terms.clone());
-        }
-    }
-    while let Some(((a, b, ratio), places)) = pairs.most_frequent() {
-        let shared = circuit.sum([(a, Rational::ONE), (b, ratio.clone())]);
-        let is_changed = |net| [a, b, shared].contains(&net);
-        for place in places {
-            let Some(terms) = members.get_mut(&place) else {
-                continue;
-            };
-            if place == shared {
-                pairs.remove(term_pairs(terms, |_| true));
-                members.remove(&place);
-                continue;
-            }
-            let before = term_pairs(terms, is_changed);
-            if take_sum(terms, a, (b, &ratio), shared) {
-                pairs.remove(before);
-                pairs.add(place, term_pairs(terms, is_changed));
-                circuit.replace(place, Operation::Sum(terms.clone()));
-            }
-        }
-    }
-}
-
-/// Replaces two terms by one, q·a + q·ratio·b by q·shared; false where the sum does not have them.
-fn take_sum(
-    terms: &mut Vec<(Net, Rational)>,
-    a: Net,
-    (b, ratio): (Net, &Rational),
-    shared: Net,
-) -> bool {
-    let coefficient_of = |net: Net| {
-        let term = terms.iter().find(|(term, _)| *term == net);
-        term.map(|(_, coefficient)| coefficient.clone())
-    };
-    let (Some(first), Some(second)) = (coefficient_of(a), coefficient_of(b)) else {
-        return false;
-    };
-    if second != &first * ratio {
-        return false;
-    }
-    // The shared sum may be a term of this one already.
-    let coefficient = coefficient_of(shared).unwrap_or(Rational::ZERO) + first;
-    terms.retain(|(term, _)| ![a, b, shared].contains(term));
-    if !coefficient.is_zero() {
-        let position = terms.partition_point(|(term, _)| *term < shared);
-        terms.insert(position, (shared, coefficient));
-    }
-    true
 }

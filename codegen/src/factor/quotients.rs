@@ -3,6 +3,7 @@
 use rustc_hash::FxHashMap;
 
 use super::circuit::{Circuit, Net, Operation};
+use crate::graph::rational;
 
 /// What an operation is a product and quotient of, with exponents, by ascending handle.
 type Factors = Vec<(Net, i64)>;
@@ -67,13 +68,7 @@ fn product(powers: &[(&Factors, i64)]) -> Factors {
             .map(move |(factor, exponent)| (*factor, exponent * power))
     });
     let mut product: Factors = all.collect();
-    product.sort_unstable_by_key(|(factor, _)| *factor);
-    product.dedup_by(|later, first| {
-        let same = later.0 == first.0;
-        first.1 += if same { later.1 } else { 0 };
-        same
-    });
-    product.retain(|(_, exponent)| *exponent != 0);
+    rational::collect(&mut product);
     product
 }
 

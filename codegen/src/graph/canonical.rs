@@ -99,13 +99,7 @@ impl Graph {
         if coefficient.is_zero() {
             return self.number(coefficient);
         }
-        powers.sort_unstable_by_key(|(operand, _)| *operand);
-        powers.dedup_by(|later, first| {
-            let same = later.0 == first.0;
-            first.1 += if same { later.1 } else { 0 };
-            same
-        });
-        powers.retain(|(_, exponent)| *exponent != 0);
+        rational::collect(&mut powers);
         let product = match powers.as_slice() {
             [] => return self.number(coefficient),
             [(operand, 1)] => *operand,

@@ -216,6 +216,12 @@ fn to_small(value: &BigInt) -> Option<i64> {
     value.to_i64().filter(|small| *small != i64::MIN)
 }
 
+impl Default for Rational {
+    fn default() -> Self {
+        Self::ZERO
+    }
+}
+
 impl fmt::Display for Rational {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         fmt::Display::fmt(&self.to_big(), formatter)
@@ -369,9 +375,12 @@ impl MulAssign<&Rational> for Rational {
     }
 }
 
-/// Makes one term of those with the same operand, by ascending operand, and drops those that come to nothing.
-pub(crate) fn collect<K: Ord + Copy>(terms: &mut Vec<(K, Rational)>) {
-    terms.sort_by_key(|(operand, _)| *operand);
+/// Makes one term of those with the same operand, or one power of those with the same factor, by ascending operand, and
+/// drops those that come to nothing.
+pub(crate) fn collect<K: Ord, N: Default + PartialEq + for<'a> AddAssign<&'a N>>(
+    terms: &mut Vec<(K, N)>,
+) {
+    terms.sort_by(|left, right| left.0.cmp(&right.0));
     terms.dedup_by(|later, first| {
         let same = later.0 == first.0;
         if same {
@@ -379,7 +388,7 @@ pub(crate) fn collect<K: Ord + Copy>(terms: &mut Vec<(K, Rational)>) {
         }
         same
     });
-    terms.retain(|(_, coefficient)| !coefficient.is_zero());
+    terms.retain(|(_, number)| *number != N::default());
 }
 
 #[cfg(test)]

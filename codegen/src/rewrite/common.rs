@@ -6,11 +6,11 @@
 use std::collections::BTreeMap;
 
 use super::rules::parts;
-use super::{changed, product, simplify};
+use super::{Form, changed, product, simplify};
 use crate::graph::{ExprId, Graph, Node};
 
 /// Rebuilds the roots with the common factors of every sum taken out; None where no sum has any.
-pub fn take_out(graph: &Graph, roots: &[ExprId]) -> Option<(Graph, Vec<ExprId>)> {
+pub fn take_out(graph: &Graph, roots: &[ExprId]) -> Option<Form> {
     changed(graph, roots, factored)
 }
 

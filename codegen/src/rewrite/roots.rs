@@ -5,11 +5,11 @@ use std::collections::{HashMap, HashSet};
 
 use super::fractions::root_of_quotient;
 use super::rules::{exact_root, parts};
-use super::{applied, changed, product, simplify};
+use super::{Form, applied, changed, product, simplify};
 use crate::graph::{ExprId, Function, Graph, Node, Rational};
 
 /// Rebuilds the roots of the graph so that square roots which differ by a square of known factors are shared.
-pub fn share(graph: Graph, roots: Vec<ExprId>) -> (Graph, Vec<ExprId>) {
+pub fn share(graph: Graph, roots: Vec<ExprId>) -> Form {
     let shared = differing_by_squares(&graph, &roots);
     if shared.is_empty() {
         return (graph, roots);
@@ -31,13 +31,13 @@ pub fn share(graph: Graph, roots: Vec<ExprId>) -> (Graph, Vec<ExprId>) {
 /// Rebuilds the roots of the graph with one square root in each product; None where no product has two. It saves roots
 /// unless one of them is needed alone as well, so that it is no rule, but one of the ways among which the cheapest is
 /// chosen.
-pub fn join(graph: &Graph, roots: &[ExprId]) -> Option<(Graph, Vec<ExprId>)> {
+pub fn join(graph: &Graph, roots: &[ExprId]) -> Option<Form> {
     changed(graph, roots, joined)
 }
 
 /// Rebuilds the roots of the graph with √(ab)/|b| for √(a/b); None where there is no root of a quotient. It saves a division
 /// beside others by b, but ab may leave the range of numbers where a/b does not.
-pub fn without_quotients(graph: &Graph, roots: &[ExprId]) -> Option<(Graph, Vec<ExprId>)> {
+pub fn without_quotients(graph: &Graph, roots: &[ExprId]) -> Option<Form> {
     changed(graph, roots, root_of_quotient)
 }
 

@@ -30,16 +30,18 @@ const REPEATS: usize = 4;
 
 /// Whether a dictionary of its numbers is worth it, as it is for axes, but neither for samples nor for results.
 fn has_few_numbers(field: &Field, column: &ArrayRef) -> bool {
+    if field.is_nullable() {
+        return false;
+    }
     let Some(numbers) = column.as_any().downcast_ref::<Float64Array>() else {
-        return !field.is_nullable();
+        return true;
     };
     let most = numbers.len() / REPEATS;
     let mut seen = FxHashSet::default();
-    let mut is_few = |number: &f64| {
+    numbers.values().iter().all(|number| {
         seen.insert(number.to_bits());
         seen.len() <= most
-    };
-    !field.is_nullable() && numbers.values().iter().all(&mut is_few)
+    })
 }
 
 /// Encodes a batch.
@@ -114,5 +116,34 @@ fn of_system(error: ParquetError) -> io::Error {
             Err(other) => io::Error::other(other),
         },
         other => io::Error::other(other.to_string()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_what_repeats_has_a_dictionary() {
+        let column = |number: fn(usize) -> f64| -> ArrayRef {
+            Arc::new(Float64Array::from_iter_values((0..4096).map(number)))
+        };
+        let axis = column(|row| (row % 64) as f64);
+        let sample = column(|row| (row as f64).sqrt());
+        let batch = RecordBatch::try_from_iter_with_nullable([
+            ("axis", Arc::clone(&axis), false),
+            ("sample", sample, false),
+            ("result", axis, true),
+        ])
+        .unwrap();
+        let part = Bytes::from(encode(&batch).unwrap());
+        let metadata = ParquetMetaDataReader::new()
+            .parse_and_finish(&part)
+            .unwrap();
+        let columns = metadata.row_group(0).columns().iter();
+        let with: Vec<bool> = columns
+            .map(|column| column.dictionary_page_offset().is_some())
+            .collect();
+        assert_eq!(with, [true, false, false]);
     }
 }
