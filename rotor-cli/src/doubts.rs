@@ -46,6 +46,16 @@ pub(crate) fn doubts(rotor: &Rotor) -> Vec<String> {
         .collect()
 }
 
+/// The inputs that a doubt can be about.
+pub(crate) const ABOUT: [&str; 6] = [
+    "crack_angle",
+    "disk_asymmetry",
+    "disk_diametral_inertia",
+    "disk_polar_inertia",
+    "shaft_length",
+    "shaft_radius",
+];
+
 /// Whether there would be a doubt about the rotor of these inputs.
 pub(crate) fn is_doubtful(p: &RotorParameters) -> bool {
     p.exceeds_rigid_body()
@@ -56,6 +66,8 @@ pub(crate) fn is_doubtful(p: &RotorParameters) -> bool {
 
 #[cfg(test)]
 mod tests {
+    use rotor_core::rotor::INPUTS;
+
     use super::*;
 
     #[test]
@@ -74,6 +86,17 @@ mod tests {
                 "shaft_radius is 11.88 m; is it in millimetres?",
             ]
         );
+    }
+
+    #[test]
+    fn no_other_input_makes_a_rotor_doubtful() {
+        for input in INPUTS.iter().filter(|input| !ABOUT.contains(&input.name)) {
+            let mut parameters = RotorParameters::PAPER;
+            for value in [-1e9, -1.0, 0.0, 1.0, 1e9] {
+                (input.set)(&mut parameters, value);
+                assert!(!is_doubtful(&parameters), "{}", input.name);
+            }
+        }
     }
 
     #[test]

@@ -6,23 +6,25 @@ mod results;
 mod source;
 mod table;
 
+use std::collections::VecDeque;
 use std::path::Path;
+use std::sync::mpsc;
 
-use rayon::prelude::*;
 use rotor_core::quantity::{self, Quantity, Reason};
 use rotor_core::rotor::{Rotor, RotorParameters};
 use rotor_core::table::TableError;
 
 use crate::command_line::EvaluateArguments;
-use crate::doubts::{doubts, is_doubtful};
+use crate::doubts::doubts;
 use crate::failure::{Failure, Outcome};
+use crate::files::Part;
 use crate::output;
 use crate::reasons;
 use crate::rotor_file;
 use crate::shown::brief;
 use columns::{Columns, ERROR};
 use inputs::Inputs;
-use results::Results;
+use results::{Encoding, Results};
 use source::{Piece, Read, Source};
 
 /// The names of all results.
@@ -66,20 +68,18 @@ pub(crate) fn run(arguments: &EvaluateArguments) -> Result<Outcome, Failure> {
     let base = rotor_file::load_base(arguments.base.as_deref(), &columns.input_names())?;
     let opened = (&header.fields, &columns);
     let mut results = Results::open(&arguments.output, opened, source.schema(), &quantities)?;
-    let mut evaluation = Evaluation {
+    let evaluation = Evaluation {
         name,
         unit: source.unit(),
         columns,
         quantities,
         base,
         keep_going: arguments.keep_going,
-        failed: 0,
-        doubtful: None,
     };
-    let count = evaluation.all(&mut source, &mut results)?;
+    let tally = evaluation.all(&mut source, &mut results)?;
     results.finish()?;
-    evaluation.remark_on_rows(count);
-    Ok(if count > 0 && evaluation.failed == count {
+    evaluation.remark_on(&tally);
+    Ok(if tally.rows > 0 && tally.failed == tally.rows {
         Outcome::CheckFailed
     } else {
         Outcome::Passed
@@ -147,10 +147,19 @@ struct Evaluation {
     quantities: Vec<Quantity>,
     base: RotorParameters,
     keep_going: bool,
+}
+
+/// What is said of a table in the end.
+#[derive(Default)]
+struct Tally {
+    rows: u64,
     /// Rows that are no rotor.
     failed: u64,
     doubtful: Option<Doubtful>,
 }
+
+/// A piece, what comes of it, and both encoded; none where its rows end it all.
+type Done = (Piece, Answers, Option<Part>);
 
 /// Rows whose rotors are doubtful.
 struct Doubtful {
@@ -161,7 +170,7 @@ struct Doubtful {
 
 /// What comes of some rows.
 struct Answers {
-    /// For each quantity a column, NaN where there is none.
+    /// For each quantity a column, NaN where there is none; nothing once they are encoded.
     values: Vec<Vec<f64>>,
     /// The rows that lack a result or are no rotor, with the reasons.
     errors: Vec<(usize, String)>,
@@ -180,45 +189,50 @@ struct Evaluated {
 }
 
 impl Evaluation {
-    /// Evaluates and writes piece after piece; how many rows there were.
-    fn all(&mut self, source: &mut Source, results: &mut Results) -> Result<u64, Failure> {
-        let mut count = 0;
+    /// Evaluates and writes piece after piece: this thread reads the next ones and writes those that are done, in order,
+    /// while others evaluate and encode.
+    fn all(&self, source: &mut Source, results: &mut Results) -> Result<Tally, Failure> {
+        let most = 2 * rayon::current_num_threads();
         let encoding = results.encoding().clone();
-        let mut pieces = self.read(source)?;
-        let mut parts = Vec::new();
-        while !pieces.is_empty() {
-            let work = |piece: &Piece| {
-                let answers = self.evaluate(piece).map_err(|error| error.to_string());
-                let answers = answers.map_err(Failure::input)?;
-                // Rows that end it all are not written.
-                let ends = !(self.keep_going || answers.no_rotors.is_empty());
-                let encoded = (!ends).then(|| encoding.encode(&self.columns, piece, &answers));
-                Ok((answers, encoded.transpose()?))
-            };
-            // While these are evaluated, those before are written and the next ones are read.
-            let (done, (written, next)) = rayon::join(
-                || pieces.par_iter().map(work).collect::<Vec<_>>(),
-                || (results.add_all(&mut parts), self.read(source)),
-            );
-            written?;
-            for (piece, answers) in pieces.iter().zip(done) {
-                let (answers, encoded): (Answers, _) = answers?;
-                self.take(piece, &answers)?;
-                parts.extend(encoded);
-                count += piece.len() as u64;
+        let mut tally = Tally::default();
+        rayon::in_place_scope(|scope| {
+            let mut under_way = VecDeque::new();
+            loop {
+                let piece = source.next_piece(self.keep_going);
+                let piece =
+                    piece.map_err(|error| Failure::input(format!("{}: {error}", self.name)))?;
+                let at_end = piece.is_none();
+                if let Some(piece) = piece {
+                    let (sender, receiver) = mpsc::sync_channel(1);
+                    let encoding = &encoding;
+                    scope.spawn(move |_| {
+                        // Nobody waits for it where an earlier piece has ended it all.
+                        let _ = sender.send(self.done(encoding, piece));
+                    });
+                    under_way.push_back(receiver);
+                }
+                if at_end || under_way.len() == most {
+                    // Without an answer the evaluation has panicked, which the scope passes on.
+                    let first = under_way.pop_front().and_then(|first| first.recv().ok());
+                    let Some(done) = first else {
+                        return Ok(tally);
+                    };
+                    let (piece, answers, encoded) = done?;
+                    self.take(&piece, &answers, &mut tally)?;
+                    encoded.map_or(Ok(()), |encoded| results.add(encoded))?;
+                }
             }
-            pieces = next?;
-        }
-        results.add_all(&mut parts)?;
-        Ok(count)
+        })
     }
 
-    /// Reads as many pieces as are evaluated together.
-    fn read(&self, source: &mut Source) -> Result<Vec<Piece>, Failure> {
-        let most = 2 * rayon::current_num_threads();
-        let pieces = (0..most).map_while(|_| source.next_piece(self.keep_going).transpose());
-        let pieces: Result<Vec<_>, _> = pieces.collect();
-        pieces.map_err(|error| Failure::input(format!("{}: {error}", self.name)))
+    /// A piece with what comes of it, encoded.
+    fn done(&self, encoding: &Encoding, piece: Piece) -> Result<Done, Failure> {
+        let answers = self.evaluate(&piece);
+        let mut answers = answers.map_err(|error| Failure::input(error.to_string()))?;
+        // Rows that end it all are not written.
+        let ends = !(self.keep_going || answers.no_rotors.is_empty());
+        let encoded = (!ends).then(|| encoding.encode(&self.columns, &piece, &mut answers));
+        Ok((piece, answers, encoded.transpose()?))
     }
 
     /// Evaluates a piece: in packs, and the rows that lack a result once more, for the reason.
@@ -236,7 +250,8 @@ impl Evaluation {
                 let error = match self.row(&piece.read(row)) {
                     Ok(evaluated) => {
                         for (column, value) in values.iter_mut().zip(evaluated.values) {
-                            column[row] = value.unwrap_or(f64::NAN);
+                            // A zero has no sign.
+                            column[row] = value.map_or(f64::NAN, |value| value + 0.0);
                         }
                         evaluated.error
                     }
@@ -247,7 +262,9 @@ impl Evaluation {
                 };
                 answers.errors.push((row, error));
             }
-            if is_doubtful(&inputs.parameters(row)) && answers.no_rotors.last() != Some(&row) {
+        }
+        for row in inputs.doubtful() {
+            if answers.no_rotors.binary_search(&row).is_err() {
                 answers.doubtful.0 += 1;
                 answers.doubtful.1.get_or_insert(row);
             }
@@ -270,7 +287,7 @@ impl Evaluation {
     /// # Errors
     ///
     /// Where a row is no rotor, and that is to be the end.
-    fn take(&mut self, piece: &Piece, answers: &Answers) -> Result<(), Failure> {
+    fn take(&self, piece: &Piece, answers: &Answers, tally: &mut Tally) -> Result<(), Failure> {
         if let Some(row) = answers.no_rotors.first()
             && !self.keep_going
         {
@@ -283,11 +300,12 @@ impl Evaluation {
                 piece.read(*row).row.line
             )));
         }
-        self.failed += answers.no_rotors.len() as u64;
+        tally.rows += piece.len() as u64;
+        tally.failed += answers.no_rotors.len() as u64;
         let (rows, Some(first)) = answers.doubtful else {
             return Ok(());
         };
-        if let Some(doubtful) = &mut self.doubtful {
+        if let Some(doubtful) = &mut tally.doubtful {
             doubtful.rows += rows;
             return Ok(());
         }
@@ -295,7 +313,7 @@ impl Evaluation {
         let parameters = self.columns.parameters(&read.row, &self.base);
         let rotor = parameters.ok().and_then(|p| Rotor::new(p).ok());
         let warning = rotor.and_then(|rotor| doubts(&rotor).into_iter().next());
-        self.doubtful = warning.map(|warning| Doubtful {
+        tally.doubtful = warning.map(|warning| Doubtful {
             rows,
             first: (read.row.line, warning),
         });
@@ -335,17 +353,18 @@ impl Evaluation {
 
     /// Says how many rows are doubtful, and how many no rotor; each of those is told why in its column, and keeping
     /// going was asked for.
-    fn remark_on_rows(&self, count: u64) {
-        if let Some(Doubtful { rows, first }) = &self.doubtful {
+    fn remark_on(&self, tally: &Tally) {
+        let count = tally.rows;
+        if let Some(Doubtful { rows, first }) = &tally.doubtful {
             output::remark(&format!(
                 "warning: {}: {rows} of {count} rows are doubtful, the first in {} {}: {}",
                 self.name, self.unit, first.0, first.1
             ));
         }
-        if self.failed > 0 {
+        if tally.failed > 0 {
             output::remark(&format!(
                 "{}: {} of {count} rows are no rotor, their results are empty and `{ERROR}` says why",
-                self.name, self.failed
+                self.name, tally.failed
             ));
         }
     }

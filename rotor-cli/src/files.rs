@@ -1,6 +1,6 @@
 //! Tables as files: CSV, Parquet, Arrow and NumPy, written part by part.
 //!
-//! A part is a batch of rows that has been encoded on its own, on any thread. [`Assembler`] joins
+//! A [`Part`] is a batch of rows that has been encoded on its own, on any thread. [`Assembler`] joins
 //! parts to a file; the file depends on the parts and their order alone.
 
 mod arrow;
@@ -88,12 +88,34 @@ impl Layout {
     /// # Errors
     ///
     /// Where the encoder fails, which it does only for columns of a kind that no table here has.
-    pub(crate) fn encode(&self, batch: &RecordBatch) -> io::Result<Vec<u8>> {
-        match self.format {
-            Format::Csv => csv::encode(batch),
-            Format::Parquet => parquet::encode(batch),
-            Format::Arrow => arrow::encode(batch),
-            Format::Npy => npy::encode(batch, self.longest_text),
+    pub(crate) fn encode(&self, batch: &RecordBatch) -> io::Result<Part> {
+        Ok(match self.format {
+            Format::Csv => Part::Bytes(csv::encode(batch)?),
+            Format::Parquet => Part::Columns(parquet::encode(batch)?),
+            Format::Arrow => Part::Bytes(arrow::encode(batch)?),
+            Format::Npy => Part::Bytes(npy::encode(batch, self.longest_text)?),
+        })
+    }
+}
+
+/// A part of a table, encoded.
+pub(crate) enum Part {
+    /// As it may lie in a file until it is joined.
+    Bytes(Vec<u8>),
+    /// Parquet's columns, ready to be joined.
+    Columns(parquet::Columns),
+}
+
+impl Part {
+    /// As it may lie in a file until it is joined.
+    ///
+    /// # Errors
+    ///
+    /// Where the encoder fails, as in [`Layout::encode`].
+    pub(crate) fn into_bytes(self) -> io::Result<Vec<u8>> {
+        match self {
+            Self::Bytes(bytes) => Ok(bytes),
+            Self::Columns(columns) => columns.into_bytes(),
         }
     }
 }
@@ -125,11 +147,12 @@ impl<W: Write + Send> Assembler<W> {
     }
 
     /// Adds the next part.
-    pub(crate) fn add(&mut self, part: Vec<u8>) -> io::Result<()> {
-        match self {
-            Self::Plain(output) => output.write_all(&part),
-            Self::Parquet(joined) => joined.add(part),
-            Self::Arrow(joined) => joined.add(&part),
+    pub(crate) fn add(&mut self, part: Part) -> io::Result<()> {
+        match (self, part) {
+            (Self::Parquet(joined), Part::Columns(part)) => joined.add(part),
+            (Self::Parquet(joined), Part::Bytes(part)) => joined.add_file(part),
+            (Self::Plain(output), part) => output.write_all(&part.into_bytes()?),
+            (Self::Arrow(joined), part) => joined.add(&part.into_bytes()?),
         }
     }
 

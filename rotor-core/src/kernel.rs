@@ -11,9 +11,11 @@
 mod closed_forms;
 mod widths;
 
+use std::ops::RangeInclusive;
+
 use crate::extremes::{Extremes, is_size};
 use crate::quantity::{self, Quantity};
-use crate::rotor::{Allowed, INPUTS, NumericInput, Rotor, RotorParameters};
+use crate::rotor::{INPUTS, NumericInput, Rotor, RotorParameters};
 
 use closed_forms::{ClosedForms, Points, is_closed};
 use widths::{Tables, Widths};
@@ -285,7 +287,7 @@ fn widths_of<'a>(
 /// The values of an input that are allowed, and of a size with which nothing leaves the range of numbers on the way to a
 /// quantity: from a tenth of a millimetre, or a gramme in a billion, to a thousand times what there is.
 struct Sizes {
-    allowed: Allowed,
+    allowed: RangeInclusive<f64>,
     above: f64,
     below: f64,
     /// Whether zero is a size too.
@@ -303,16 +305,18 @@ impl Sizes {
             _ => (1e-4, LARGEST, false),
         };
         Self {
-            allowed: input.allowed,
+            allowed: input.allowed.range(),
             above,
             below,
             with_zero,
         }
     }
 
+    /// Without branches, so that a list is looked through in packs.
     fn contain(&self, value: f64) -> bool {
         let size = value.abs();
-        let is_plain = (size > self.above && size < self.below) || (size == 0.0 && self.with_zero);
-        is_plain && self.allowed.contains(value)
+        let is_between = (size > self.above) & (size < self.below);
+        let is_allowed = self.allowed.contains(&value);
+        (is_between | ((size == 0.0) & self.with_zero)) & is_allowed
     }
 }

@@ -1,5 +1,7 @@
 //! The inputs of some rows as columns of numbers, and what is computed from them at once.
 
+use std::borrow::Cow;
+
 use arrow_array::cast::AsArray;
 use arrow_array::types::Float64Type;
 use arrow_array::{Array, RecordBatch};
@@ -10,20 +12,21 @@ use rotor_core::table::{self, Column, TableError};
 
 use super::columns::Columns;
 use super::source::{Piece, Read, text};
+use crate::doubts::{self, is_doubtful};
 use crate::rotor_file::set_choice;
 
 /// The inputs of some rows.
-pub(super) struct Inputs {
-    numbers: Vec<(&'static NumericInput, Vec<f64>)>,
+pub(super) struct Inputs<'a> {
+    numbers: Vec<(&'static NumericInput, Cow<'a, [f64]>)>,
     /// The rotors that differ in what is no number.
     bases: Vec<RotorParameters>,
     /// Which of them each row is like; none of a row that cannot be read.
     base_of: Vec<Option<usize>>,
 }
 
-impl Inputs {
+impl<'a> Inputs<'a> {
     /// The inputs of a piece; those without a column are the base rotor's.
-    pub(super) fn of(piece: &Piece, columns: &Columns, base: &RotorParameters) -> Self {
+    pub(super) fn of(piece: &'a Piece, columns: &Columns, base: &RotorParameters) -> Self {
         let mut inputs = match piece {
             Piece::Rows(rows) => Self::of_rows(rows, columns, base),
             Piece::Batch { batch, .. } => Self::of_batch(batch, columns, base),
@@ -31,7 +34,8 @@ impl Inputs {
         if inputs.numbers.is_empty() {
             // A table of rotors has a column: here one with the same number in every row.
             let input = NumericInput::find("crack_angle");
-            let column = input.map(|input| (input, vec![(input.get)(base); inputs.base_of.len()]));
+            let column =
+                input.map(|input| (input, vec![(input.get)(base); inputs.base_of.len()].into()));
             inputs.numbers.extend(column);
         }
         inputs
@@ -40,25 +44,35 @@ impl Inputs {
     fn of_rows(rows: &[Read], columns: &Columns, base: &RotorParameters) -> Self {
         let numbers = columns.numbers();
         let numbers = numbers.map(|(_, input)| (input, Vec::with_capacity(rows.len())));
-        let mut inputs = Self::new(numbers.collect(), base);
+        let mut numbers: Vec<_> = numbers.collect();
+        let mut inputs = Self::new(base);
         for Read { row, broken } in rows {
             let readable = broken.is_none();
             let parameters = readable.then(|| columns.parameters(row, base).ok());
             let parameters = parameters.flatten();
-            for (input, values) in &mut inputs.numbers {
+            for (input, values) in &mut numbers {
                 values.push(parameters.map_or(f64::NAN, |p| (input.get)(&p)));
             }
             inputs.add_row(parameters.as_ref());
         }
+        let numbers = numbers.into_iter();
+        inputs.numbers = numbers
+            .map(|(input, values)| (input, values.into()))
+            .collect();
         inputs
     }
 
-    fn of_batch(batch: &RecordBatch, columns: &Columns, base: &RotorParameters) -> Self {
+    fn of_batch(batch: &'a RecordBatch, columns: &Columns, base: &RotorParameters) -> Self {
         let numbers = columns
             .numbers()
             .map(|(index, input)| (input, numbers(batch.column(index))));
-        let mut inputs = Self::new(numbers.collect(), base);
+        let mut inputs = Self::new(base);
+        inputs.numbers = numbers.collect();
         let choices: Vec<_> = columns.choices().collect();
+        if choices.is_empty() {
+            inputs.base_of = vec![Some(0); batch.num_rows()];
+            return inputs;
+        }
         for row in 0..batch.num_rows() {
             let mut parameters = *base;
             let readable = choices.iter().all(|&(index, name)| {
@@ -70,9 +84,9 @@ impl Inputs {
         inputs
     }
 
-    fn new(numbers: Vec<(&'static NumericInput, Vec<f64>)>, base: &RotorParameters) -> Self {
+    fn new(base: &RotorParameters) -> Self {
         Self {
-            numbers,
+            numbers: Vec::new(),
             bases: vec![*base],
             base_of: Vec::new(),
         }
@@ -98,13 +112,18 @@ impl Inputs {
         self.base_of.len()
     }
 
-    /// The inputs of a row; of one that cannot be read, what there is of them.
-    pub(super) fn parameters(&self, row: usize) -> RotorParameters {
-        let mut parameters = self.bases[self.base_of[row].unwrap_or(0)];
-        for (input, values) in &self.numbers {
-            (input.set)(&mut parameters, values[row]);
-        }
-        parameters
+    /// The rows about whose rotors there is a doubt, as far as they can be read.
+    pub(super) fn doubtful(&self) -> impl Iterator<Item = usize> {
+        let columns = self.numbers.iter();
+        let columns = columns.filter(|(input, _)| doubts::ABOUT.contains(&input.name));
+        let columns: Vec<_> = columns.collect();
+        (0..self.len()).filter(move |&row| {
+            let mut parameters = self.bases[self.base_of[row].unwrap_or(0)];
+            for (input, values) in &columns {
+                (input.set)(&mut parameters, values[row]);
+            }
+            is_doubtful(&parameters)
+        })
     }
 
     /// Evaluates all rows: for each quantity a column, NaN where a rotor has none or a row is none.
@@ -138,9 +157,13 @@ impl Inputs {
 }
 
 /// The numbers of a column, NaN where there is none.
-fn numbers(column: &dyn Array) -> Vec<f64> {
+fn numbers(column: &dyn Array) -> Cow<'_, [f64]> {
     if column.data_type() == &DataType::Float64 && column.null_count() == 0 {
-        return column.as_primitive::<Float64Type>().values().to_vec();
+        return column
+            .as_primitive::<Float64Type>()
+            .values()
+            .as_ref()
+            .into();
     }
     let number = |row| text(column, row)?.trim().parse().ok();
     let numbers = (0..column.len()).map(|row| number(row).unwrap_or(f64::NAN));

@@ -13,7 +13,7 @@ use super::Answers;
 use super::columns::{Columns, ERROR};
 use super::source::{Piece, text};
 use crate::failure::Failure;
-use crate::files::{Assembler, Format, Layout, number_field, schema};
+use crate::files::{Assembler, Format, Layout, Part, number_field, schema};
 use crate::output::Destination;
 
 /// How rows become bytes.
@@ -54,7 +54,7 @@ impl Results {
                     assembler: Assembler::Plain(Destination::open(path)?),
                     name: "the results".to_owned(),
                 };
-                results.add(csv_bytes([titles])?)?;
+                results.add(Part::Bytes(csv_bytes([titles])?))?;
                 return Ok(results);
             }
             Ok(Format::Npy) => {
@@ -94,18 +94,9 @@ impl Results {
     /// # Errors
     ///
     /// Where the system refuses.
-    pub(super) fn add(&mut self, part: Vec<u8>) -> Result<(), Failure> {
+    pub(super) fn add(&mut self, part: Part) -> Result<(), Failure> {
         let added = self.assembler.add(part);
         added.map_err(|source| Failure::stream("write", self.name.as_str(), source))
-    }
-
-    /// Adds those in order, and leaves none.
-    ///
-    /// # Errors
-    ///
-    /// As [`Self::add`].
-    pub(super) fn add_all(&mut self, parts: &mut Vec<Vec<u8>>) -> Result<(), Failure> {
-        parts.drain(..).try_for_each(|part| self.add(part))
     }
 
     /// Makes the table appear.
@@ -150,7 +141,7 @@ fn fields(
 }
 
 impl Encoding {
-    /// The bytes of rows with what came of them.
+    /// Rows with what came of them, encoded; the values are taken.
     ///
     /// # Errors
     ///
@@ -159,14 +150,14 @@ impl Encoding {
         &self,
         columns: &Columns,
         piece: &Piece,
-        answers: &Answers,
-    ) -> Result<Vec<u8>, Failure> {
+        answers: &mut Answers,
+    ) -> Result<Part, Failure> {
         match self {
             Self::Csv => {
                 if let Piece::Batch { batch, .. } = piece {
                     require_texts(columns, batch)?;
                 }
-                csv_bytes(records(columns, piece, answers))
+                csv_bytes(records(columns, piece, answers)).map(Part::Bytes)
             }
             Self::Columns(layout) => batch(columns, piece, answers, &layout.schema)
                 .and_then(|batch| layout.encode(&batch))
@@ -181,10 +172,10 @@ fn records<'a>(
     piece: &'a Piece,
     answers: &'a Answers,
 ) -> impl Iterator<Item = ByteRecord> {
-    // The shortest digits that read back as the same number; a zero has no sign.
+    // The shortest digits that read back as the same number.
     let cell = |value: f64| match value.is_nan() {
         true => String::new(),
-        false => format!("{:?}", value + 0.0),
+        false => format!("{value:?}"),
     };
     errors(piece, answers).enumerate().map(move |(row, error)| {
         let read = piece.read(row);
@@ -210,7 +201,7 @@ fn errors<'a>(piece: &Piece, answers: &'a Answers) -> impl Iterator<Item = Optio
 fn batch(
     columns: &Columns,
     piece: &Piece,
-    answers: &Answers,
+    answers: &mut Answers,
     schema: &SchemaRef,
 ) -> io::Result<RecordBatch> {
     let mut arrays: Vec<ArrayRef> = Vec::new();
@@ -239,16 +230,17 @@ fn batch(
             }
         });
     }
-    for column in &answers.values {
-        let values = column.iter().map(|value| value + 0.0);
-        arrays.push(if column.iter().any(|value| value.is_nan()) {
-            let there = values.map(|value| Some(value).filter(|value| !value.is_nan()));
-            Arc::new(there.collect::<Float64Array>())
-        } else {
-            Arc::new(Float64Array::from_iter_values(values))
-        });
+    for column in std::mem::take(&mut answers.values) {
+        // The whole column in packs, not only up to the first.
+        let any_is_missing = column.iter().fold(false, |any, value| any | value.is_nan());
+        let missing = any_is_missing.then(|| column.iter().map(|value| !value.is_nan()).collect());
+        arrays.push(Arc::new(Float64Array::new(column.into(), missing)));
     }
-    arrays.push(Arc::new(errors(piece, answers).collect::<StringArray>()));
+    arrays.push(Arc::new(if answers.errors.is_empty() {
+        StringArray::new_null(piece.len())
+    } else {
+        errors(piece, answers).collect()
+    }));
     RecordBatch::try_new(Arc::clone(schema), arrays).map_err(io::Error::other)
 }
 

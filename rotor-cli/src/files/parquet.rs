@@ -1,20 +1,22 @@
-//! Parquet: each part is a small file of one row group, whose columns are moved into the whole
+//! Parquet: each part is a row group, or a small file of one, whose columns are moved into the whole
 //! without being decoded.
 
+use std::hash::BuildHasher as _;
 use std::io::{self, Write};
 use std::sync::Arc;
 
 use arrow_array::{ArrayRef, Float64Array, RecordBatch};
-use arrow_schema::{Field, Schema};
+use arrow_schema::{Field, Schema, SchemaRef};
 use bytes::Bytes;
-use parquet::arrow::{ArrowSchemaConverter, ArrowWriter, add_encoded_arrow_schema_to_metadata};
+use parquet::arrow::arrow_writer::{ArrowColumnChunk, ArrowRowGroupWriterFactory, compute_leaves};
+use parquet::arrow::{ArrowSchemaConverter, add_encoded_arrow_schema_to_metadata};
 use parquet::column::writer::ColumnCloseResult;
 use parquet::errors::ParquetError;
 use parquet::file::metadata::{KeyValue, ParquetMetaDataReader};
 use parquet::file::properties::{EnabledStatistics, WriterProperties, WriterPropertiesBuilder};
 use parquet::file::writer::SerializedFileWriter;
-use parquet::schema::types::ColumnPath;
-use rustc_hash::FxHashSet;
+use parquet::schema::types::{ColumnPath, TypePtr};
+use rustc_hash::FxBuildHasher;
 
 /// What is said of every file and part.
 fn properties() -> WriterPropertiesBuilder {
@@ -28,24 +30,34 @@ fn properties() -> WriterPropertiesBuilder {
 /// A column that has each number this often on average is written as a dictionary.
 const REPEATS: usize = 4;
 
-/// Whether a dictionary of its numbers is worth it, as it is for axes, but neither for samples nor for results.
+/// Whether a dictionary of its numbers is worth it, as it is for axes, but neither for samples nor for results. Numbers are
+/// told apart by a hash that fits into the processor's cache; a few pass for the same.
 fn has_few_numbers(field: &Field, column: &ArrayRef) -> bool {
+    const HASHES: usize = 1 << 16;
     if field.is_nullable() {
         return false;
     }
     let Some(numbers) = column.as_any().downcast_ref::<Float64Array>() else {
         return true;
     };
-    let most = numbers.len() / REPEATS;
-    let mut seen = FxHashSet::default();
+    let most = (numbers.len() / REPEATS).min(HASHES / REPEATS);
+    let mut seen = vec![false; HASHES];
+    let mut different = 0;
     numbers.values().iter().all(|number| {
-        seen.insert(number.to_bits());
-        seen.len() <= most
+        let hash = FxBuildHasher.hash_one(number.to_bits()) as usize % HASHES;
+        different += usize::from(!std::mem::replace(&mut seen[hash], true));
+        different <= most
     })
 }
 
+/// A batch, encoded.
+pub(crate) struct Columns {
+    schema: TypePtr,
+    columns: Vec<ArrowColumnChunk>,
+}
+
 /// Encodes a batch.
-pub(super) fn encode(batch: &RecordBatch) -> io::Result<Vec<u8>> {
+pub(super) fn encode(batch: &RecordBatch) -> io::Result<Columns> {
     let schema = batch.schema();
     let mut properties = properties();
     for (field, column) in schema.fields().iter().zip(batch.columns()) {
@@ -53,10 +65,51 @@ pub(super) fn encode(batch: &RecordBatch) -> io::Result<Vec<u8>> {
         let has_few = has_few_numbers(field, column);
         properties = properties.set_column_dictionary_enabled(path, has_few);
     }
-    let properties = Some(properties.build());
-    let mut writer = ArrowWriter::try_new(Vec::new(), schema, properties).map_err(of_system)?;
-    writer.write(batch).map_err(of_system)?;
-    writer.into_inner().map_err(of_system)
+    encode_with(batch, properties.build()).map_err(of_system)
+}
+
+fn encode_with(batch: &RecordBatch, properties: WriterProperties) -> Result<Columns, ParquetError> {
+    let arrow_schema = batch.schema();
+    let schema = ArrowSchemaConverter::new().convert(&arrow_schema)?;
+    let schema = schema.root_schema_ptr();
+    // Columns are encoded for a file that is to be, not for this one.
+    let file = SerializedFileWriter::new(io::sink(), TypePtr::clone(&schema), properties.into())?;
+    let factory = ArrowRowGroupWriterFactory::new(&file, SchemaRef::clone(&arrow_schema));
+    let mut writers = factory.create_column_writers(0)?.into_iter();
+    let mut columns = Vec::new();
+    for (field, column) in arrow_schema.fields().iter().zip(batch.columns()) {
+        for (leaf, mut writer) in compute_leaves(field, column)?.iter().zip(&mut writers) {
+            writer.write(leaf)?;
+            columns.push(writer.close()?);
+        }
+    }
+    Ok(Columns { schema, columns })
+}
+
+impl Columns {
+    /// A small file of its own.
+    pub(super) fn into_bytes(self) -> io::Result<Vec<u8>> {
+        let write = || {
+            let properties = properties().build();
+            let mut file = SerializedFileWriter::new(Vec::new(), self.schema, properties.into())?;
+            append(&mut file, self.columns)?;
+            file.into_inner()
+        };
+        write().map_err(of_system)
+    }
+}
+
+/// Adds columns as a row group.
+fn append(
+    file: &mut SerializedFileWriter<impl Write + Send>,
+    columns: Vec<ArrowColumnChunk>,
+) -> Result<(), ParquetError> {
+    let mut group = file.next_row_group()?;
+    for column in columns {
+        column.append_to_row_group(&mut group)?;
+    }
+    group.close()?;
+    Ok(())
 }
 
 /// A file on its way.
@@ -80,7 +133,12 @@ impl<W: Write + Send> Joined<W> {
         Ok(Self(writer))
     }
 
-    pub(super) fn add(&mut self, part: Vec<u8>) -> io::Result<()> {
+    pub(super) fn add(&mut self, part: Columns) -> io::Result<()> {
+        append(&mut self.0, part.columns).map_err(of_system)
+    }
+
+    /// Adds a small file, as [`Columns::into_bytes`] makes it.
+    pub(super) fn add_file(&mut self, part: Vec<u8>) -> io::Result<()> {
         let part = Bytes::from(part);
         let metadata = ParquetMetaDataReader::new()
             .parse_and_finish(&part)
@@ -136,7 +194,7 @@ mod tests {
             ("result", axis, true),
         ])
         .unwrap();
-        let part = Bytes::from(encode(&batch).unwrap());
+        let part = Bytes::from(encode(&batch).unwrap().into_bytes().unwrap());
         let metadata = ParquetMetaDataReader::new()
             .parse_and_finish(&part)
             .unwrap();

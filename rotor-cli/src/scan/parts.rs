@@ -13,7 +13,7 @@ use rotor_core::scan::{Chunk, Counts, Sink};
 
 use super::points;
 use crate::failure::Failure;
-use crate::files::{Assembler, Layout};
+use crate::files::{Assembler, Layout, Part};
 use crate::output;
 
 /// The file with the request.
@@ -167,7 +167,7 @@ impl Parts {
     pub(super) fn join(
         &self,
         layout: &Layout,
-        parts: impl Iterator<Item = io::Result<Vec<u8>>>,
+        parts: impl Iterator<Item = io::Result<Part>>,
     ) -> Result<(), Failure> {
         let joined = self.folder.join(JOINED);
         let join = || -> io::Result<()> {
@@ -200,7 +200,7 @@ impl Parts {
             let mut bytes = fs::read(self.place(number))?;
             let header = header_length(quantities);
             bytes.drain(..header.min(bytes.len()));
-            Ok(bytes)
+            Ok(Part::Bytes(bytes))
         };
         self.join(layout, (0..chunks).map(part))
     }
@@ -236,7 +236,7 @@ impl Sink for PartsSink<'_> {
 
     fn encode(&self, chunk: &Chunk<'_>) -> Result<(), Failure> {
         let encoded = points::batch(chunk, &self.layout.schema, self.quantities)
-            .and_then(|batch| self.layout.encode(&batch))
+            .and_then(|batch| self.layout.encode(&batch)?.into_bytes())
             .map_err(|source| Failure::file("write", &self.parts.target, source))?;
         let header = counts_bytes(chunk.counts(), encoded.len());
         let name = format!("{:012}.chunk", chunk.number());

@@ -10,7 +10,7 @@ use rotor_core::scan::{Chunk, Sink};
 
 use super::points;
 use crate::failure::Failure;
-use crate::files::{Assembler, Layout};
+use crate::files::{Assembler, Layout, Part};
 
 type Stream = Box<dyn Write + Send>;
 
@@ -67,16 +67,16 @@ impl<'a> StreamSink<'a> {
 }
 
 impl Sink for StreamSink<'_> {
-    type Encoded = Vec<u8>;
+    type Encoded = Part;
     type Error = Failure;
 
-    fn encode(&self, chunk: &Chunk<'_>) -> Result<Vec<u8>, Failure> {
+    fn encode(&self, chunk: &Chunk<'_>) -> Result<Part, Failure> {
         points::batch(chunk, &self.layout.schema, self.quantities)
             .and_then(|batch| self.layout.encode(&batch))
             .map_err(|source| self.failed(source))
     }
 
-    fn take(&self, _number: u64, encoded: Vec<u8>) -> Result<(), Failure> {
+    fn take(&self, _number: u64, encoded: Part) -> Result<(), Failure> {
         let mut assembler = self
             .assembler
             .lock()

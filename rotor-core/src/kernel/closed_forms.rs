@@ -289,7 +289,7 @@ impl ClosedForms {
 
     /// Evaluates a closed form. None where it cannot be done.
     fn quantity(&self, quantity: Quantity, result: &mut [f64], trusted: &mut [bool]) -> Option<()> {
-        let mut allowed: fn(f64) -> bool = f64::is_finite;
+        let mut is_positive = false;
         match origin(quantity) {
             Origin::Compliance(place) => result.copy_from_slice(&self.compliance[place]),
             Origin::Coefficient(place) => result.copy_from_slice(&self.coefficients[place]),
@@ -300,23 +300,25 @@ impl ClosedForms {
                     k_k_tt,
                 };
                 reference_speed::columns(&inputs, [&mut *result]).ok()?;
-                allowed = is_size;
+                is_positive = true;
             }
             Origin::Region(kind) => {
                 if kind == RegionKind::Combination {
                     require(trusted, &self.coefficients[0], |beta| beta < 2.0);
                 }
                 self.of_region(quantity, result)?;
-                if !matches!(
+                is_positive = !matches!(
                     quantity,
                     Quantity::SirZupAsymmetry | Quantity::CirZupAsymmetry
-                ) {
-                    allowed = is_size;
-                }
+                );
             }
             Origin::Iteration => return Some(()),
         }
-        require(trusted, result, allowed);
+        if is_positive {
+            require(trusted, result, is_size);
+        } else {
+            require(trusted, result, f64::is_finite);
+        }
         // A zero has no sign.
         for value in result {
             *value += 0.0;
@@ -388,7 +390,7 @@ fn sized<const COUNT: usize>(lists: &mut Lists<COUNT>, rows: usize) -> [&mut [f6
 }
 
 /// Trusts only the points whose number is allowed.
-fn require(trusted: &mut [bool], list: &[f64], allowed: fn(f64) -> bool) {
+fn require(trusted: &mut [bool], list: &[f64], allowed: impl Fn(f64) -> bool) {
     for (trusted, value) in trusted.iter_mut().zip(list) {
         *trusted &= allowed(*value);
     }

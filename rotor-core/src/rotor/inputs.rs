@@ -1,6 +1,7 @@
 //! The table of the numeric inputs.
 
 use std::fmt;
+use std::ops::RangeInclusive;
 
 use super::RotorParameters;
 
@@ -38,19 +39,24 @@ impl Allowed {
         upper: Bound::Finite,
     };
 
+    /// The least and the greatest value that are allowed.
+    pub const fn range(&self) -> RangeInclusive<f64> {
+        let least = match self.lower {
+            Bound::Included(end) => end,
+            Bound::Excluded(end) => end.next_up(),
+            Bound::Finite => f64::MIN,
+        };
+        let greatest = match self.upper {
+            Bound::Included(end) => end,
+            Bound::Excluded(end) => end.next_down(),
+            Bound::Finite => f64::MAX,
+        };
+        least..=greatest
+    }
+
     /// Whether `value` is allowed.
     pub fn contains(&self, value: f64) -> bool {
-        let above = match self.lower {
-            Bound::Included(end) => value >= end,
-            Bound::Excluded(end) => value > end,
-            Bound::Finite => true,
-        };
-        let below = match self.upper {
-            Bound::Included(end) => value <= end,
-            Bound::Excluded(end) => value < end,
-            Bound::Finite => true,
-        };
-        value.is_finite() && above && below
+        self.range().contains(&value)
     }
 }
 
