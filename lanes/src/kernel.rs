@@ -7,12 +7,14 @@
     reason = "iterators over arrays are not always inlined, see above"
 )]
 
+use std::ops::Range;
+
 use fearless_simd::Simd;
 use thiserror::Error;
 
 use crate::level::{self, Body, Level};
 use crate::pack::Pack;
-use crate::stream::Stream;
+use crate::stream::{LINE, Stream};
 
 /// A generated body: `RESULTS` numbers of a row, from `FIXED` numbers that all rows share and `ALONG` of its own.
 pub trait Kernel<const FIXED: usize, const ALONG: usize, const RESULTS: usize> {
@@ -110,6 +112,12 @@ pub fn stream<
 where
     K: Kernel<FIXED, ALONG, RESULTS>,
 {
+    if !along.iter().any(|column| column.len() >= LONGEST) {
+        for (fixed, results) in lines {
+            store::<K, WANTED, FIXED, ALONG, RESULTS>(level, &fixed, along, results)?;
+        }
+        return Ok(());
+    }
     let kernel = std::marker::PhantomData::<K>;
     let lines = Lines::<'_, K, _, WANTED, FIXED, ALONG, RESULTS> {
         along,
@@ -194,14 +202,6 @@ where
         }
     }
 
-    /// The first row at which packs are lines of the cache, in the first result that is wanted.
-    #[inline(always)]
-    fn first_line<S: Simd>(&self) -> usize {
-        let mut columns = self.results.iter().enumerate();
-        let first = columns.find(|(position, _)| is_wanted(WANTED, *position));
-        first.map_or(0, |(_, column)| Stream::first_row::<S>(column))
-    }
-
     /// All rows, which are as many as a pack has at least.
     #[inline(always)]
     fn write<S: Simd>(self, simd: S) {
@@ -225,32 +225,63 @@ where
         }
     }
 
-    /// All rows, past the caches. The whole packs have a loop of their own, for here stores are what takes time.
+    /// The same for all rows but those that are `written`. These are left alone: a line that has gone past the caches would
+    /// come back for an ordinary store.
     #[inline(always)]
-    fn write_past_caches<S: Simd>(mut self, simd: S, stream: &Stream) {
+    fn write_around<S: Simd>(self, simd: S, written: Range<usize>) {
         let fixed = splats(simd, self.fixed);
         let length = Pack::<S>::LENGTH;
-        // The pack before the first line overlaps with it: both write the same.
-        let first = self.first_line::<S>();
-        let mut row = 0;
-        while row + length <= self.rows {
+        let last = self.rows.saturating_sub(length);
+        let mut next = if written.start > 0 { 0 } else { written.end };
+        while next < self.rows {
+            let row = next.min(last);
+            let part = match row {
+                _ if written.is_empty() => 0..length,
+                _ if row < written.start => 0..written.start - row,
+                _ => written.end - row..length,
+            };
             let values = K::evaluate(simd, fixed, packs(simd, &self.along, row));
-            for (position, (column, value)) in self.results.iter_mut().zip(&values).enumerate() {
+            for position in 0..RESULTS {
                 if is_wanted(WANTED, position) {
-                    stream.store(*value, &mut column[row..row + length]);
+                    let column = &mut self.results[position][row..row + length];
+                    values[position].store_rows(column, part.clone());
                 }
             }
-            row = if row < first { first } else { row + length };
+            next = row + length;
+            if written.contains(&next) {
+                next = written.end;
+            }
         }
-        if row < self.rows {
-            let values = K::evaluate(simd, fixed, tails(simd, &self.along, row));
-            for (position, (column, value)) in self.results.iter_mut().zip(&values).enumerate() {
+    }
+
+    /// The rows that are lines of the cache in all results, past the caches. The loop has nothing in it but the kernel, so
+    /// that the processor sees far ahead and computes while it waits for memory.
+    #[inline(always)]
+    fn write_lines<S: Simd>(&mut self, simd: S, stream: &Stream) -> Range<usize> {
+        let fixed = splats(simd, self.fixed);
+        let lines = self.results.each_mut().map(|column| stream.lines(column));
+        let mut wanted = (0..RESULTS).filter(|position| is_wanted(WANTED, *position));
+        let of = |position: usize| (lines[position].0, lines[position].1.len());
+        let (first, count) = wanted.next().map_or((0, 0), of);
+        if !wanted.all(|position| of(position) == (first, count)) {
+            return 0..0;
+        }
+        let along = self
+            .along
+            .map(|column| &column[first..].as_chunks::<LINE>().0[..count]);
+        for line in 0..count {
+            let mut inputs = [Pack::splat(simd, 0.0); ALONG];
+            for column in 0..ALONG {
+                inputs[column] = Pack::load(simd, &along[column][line]);
+            }
+            let values = K::evaluate(simd, fixed, inputs);
+            for position in 0..RESULTS {
                 if is_wanted(WANTED, position) {
-                    let tail = &mut column[row..];
-                    tail.copy_from_slice(&value.as_slice()[..tail.len()]);
+                    stream.store(values[position], &mut lines[position].1[line]);
                 }
             }
         }
+        first..first + count * LINE
     }
 }
 
@@ -294,9 +325,10 @@ where
     fn run<S: Simd>(self, simd: S) -> Result<(), LengthError> {
         let stream = Stream::begin(simd);
         for (fixed, results) in self.lines {
-            let line =
+            let mut line =
                 Store::<'_, K, WANTED, FIXED, ALONG, RESULTS>::new(&fixed, self.along, results)?;
-            line.write_past_caches(simd, &stream);
+            let written = line.write_lines(simd, &stream);
+            line.write_around(simd, written);
         }
         Ok(())
     }

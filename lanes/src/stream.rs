@@ -8,7 +8,11 @@ use fearless_simd::Simd;
 use crate::pack::Pack;
 
 /// How many numbers are a line of the cache.
-const LINE: usize = 8;
+pub(crate) const LINE: usize = 8;
+
+/// A line of the cache.
+#[repr(C, align(64))]
+pub(crate) struct Line([f64; LINE]);
 
 /// A stretch of the program that writes past the caches. When it ends, other threads may read what it wrote.
 #[derive(Debug)]
@@ -28,29 +32,32 @@ impl Stream {
         }
     }
 
-    /// The first row of a column at which packs are lines; 0 where they are never.
+    /// The lines of a column, and how many rows stand before them. None where packs are no lines, or there is no
+    /// instruction for stores past the caches.
     #[inline(always)]
-    pub(crate) fn first_row<S: Simd>(column: &[f64]) -> usize {
-        if Pack::<S>::LENGTH != LINE {
-            return 0;
+    pub(crate) fn lines<'a>(&self, column: &'a mut [f64]) -> (usize, &'a mut [Line]) {
+        #[cfg(target_arch = "x86_64")]
+        if self.avx512.is_some() {
+            #[expect(unsafe_code, reason = "a line has an alignment, numbers have not")]
+            // SAFETY: a `Line` is eight numbers one after the other, and any bits are numbers.
+            let (before, lines, _) = unsafe { column.align_to_mut::<Line>() };
+            return (before.len(), lines);
         }
-        let row = column.as_ptr().align_offset(LINE * size_of::<f64>());
-        if row < LINE { row } else { 0 }
+        #[cfg(not(target_arch = "x86_64"))]
+        let _ = column;
+        (0, &mut [])
     }
 
-    /// Writes a pack to a slice as long; past the caches where it is a line and there is an instruction for it.
+    /// Writes a pack to one of the [lines](Self::lines), past the caches.
     #[inline(always)]
-    pub(crate) fn store<S: Simd>(&self, pack: Pack<S>, slice: &mut [f64]) {
+    pub(crate) fn store<S: Simd>(&self, pack: Pack<S>, line: &mut Line) {
         #[cfg(target_arch = "x86_64")]
-        if let Some(avx512) = self.avx512
-            && let Ok(line) = <&mut [f64; LINE]>::try_from(&mut *slice)
-            && avx512::is_line(line)
-        {
+        if let Some(avx512) = self.avx512 {
             use fearless_simd::SimdBase;
             let numbers = fearless_simd::f64x8::from_slice(avx512, pack.as_slice());
             return avx512::store(avx512, numbers, line);
         }
-        pack.store(slice);
+        pack.store(&mut line.0);
     }
 }
 
@@ -70,26 +77,17 @@ mod avx512 {
 
     use fearless_simd::{Avx512, f64x8};
 
-    /// Where a line may stand.
-    #[repr(align(64))]
-    struct Line;
-
-    /// Whether eight numbers are a line of the cache.
-    #[inline(always)]
-    pub(super) fn is_line(numbers: &[f64; 8]) -> bool {
-        numbers.as_ptr().cast::<Line>().is_aligned()
-    }
+    use super::Line;
 
     fearless_simd::kernel!(
         /// Writes to a line; [`fence`] must follow before anything else is done with it.
         #[inline]
-        pub(super) fn store(avx512: Avx512, numbers: f64x8<Avx512>, line: &mut [f64; 8]) {
-            assert!(is_line(line));
+        pub(super) fn store(avx512: Avx512, numbers: f64x8<Avx512>, line: &mut Line) {
             #[expect(unsafe_code, reason = "the crate `fearless_simd` has no such store")]
             // SAFETY: these are 64 bytes that may be written, aligned as they must be. Only a `Stream` calls this, and it
             // fences when it is dropped, before the loop over the rows gives the results back.
             unsafe {
-                _mm512_stream_pd(line.as_mut_ptr(), numbers.into());
+                _mm512_stream_pd(line.0.as_mut_ptr(), numbers.into());
             }
         }
     );
