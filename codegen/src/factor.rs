@@ -118,11 +118,12 @@ pub fn minimise_with(graph: &Graph, outputs: &Outputs, held: Option<&Held>) -> C
     let reference = Reference::of(graph, &all);
     let mut merged = vec![unified(graph, &all)];
     merged.extend(forward(graph, outputs).map(|(graph, all)| unified(&graph, &all)));
-    let as_written = rewrite::rewrite(graph, &all);
     let size = graph.reachable(&all).len();
     let held = held.filter(|held| held.graph.reachable(&held.all()).len() <= MOST_OF_HELD * size);
     let mut held = held.map(held_forms).unwrap_or_default();
-    for graphs in [merged, vec![as_written]] {
+    // What is as its author wrote it only where the other loses digits.
+    let as_written = std::iter::once_with(|| vec![rewrite::rewrite(graph, &all)]);
+    for graphs in std::iter::once(merged).chain(as_written) {
         let lowered = graphs
             .into_iter()
             .flat_map(|(graph, roots)| lowered_forms(graph, roots, outputs))

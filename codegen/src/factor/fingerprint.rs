@@ -27,19 +27,22 @@ impl Residue {
 
     /// The residue of a rational number; one whose denominator the prime divides counts as 0.
     pub fn rational(value: &Rational) -> Self {
-        let numerator = Self::whole(&value.numerator());
-        // Most constants of formulas are whole, and an inverse takes a hundred products.
-        if value.is_integer() {
-            numerator
-        } else {
-            numerator.times(Self::whole(&value.denominator()).inverse())
+        // Most constants of formulas are whole and small, and an inverse takes a hundred products.
+        if let Some(small) = value.to_i64().and_then(Self::small) {
+            return small;
         }
+        Self::whole(&value.numerator()).times(Self::whole(&value.denominator()).inverse())
+    }
+
+    fn small(value: i64) -> Option<Self> {
+        let size = Some(value.unsigned_abs()).filter(|size| *size < PRIME)?;
+        let residue = Self(size);
+        Some(if value < 0 { residue.negative() } else { residue })
     }
 
     fn whole(value: &BigInt) -> Self {
-        if let Some(small) = value.to_i64().filter(|small| small.unsigned_abs() < PRIME) {
-            let size = Self(small.unsigned_abs());
-            return if small < 0 { size.negative() } else { size };
+        if let Some(small) = value.to_i64().and_then(Self::small) {
+            return small;
         }
         let modulus = BigInt::from(PRIME);
         let reduced = ((value % &modulus) + &modulus) % &modulus;
@@ -81,6 +84,28 @@ impl Residue {
     /// The inverse; that of 0 is 0.
     pub fn inverse(self) -> Self {
         self.power(PRIME - 2)
+    }
+
+    /// The inverses of many, of which only one is worked out: the others are products.
+    pub fn inverses(residues: &[Self]) -> Vec<Self> {
+        let mut product = Self::ONE;
+        let mut inverses = Vec::with_capacity(residues.len());
+        for residue in residues {
+            inverses.push(product);
+            if *residue != Self::ZERO {
+                product = product.times(*residue);
+            }
+        }
+        let mut of_rest = product.inverse();
+        for (inverse, residue) in inverses.iter_mut().zip(residues).rev() {
+            if *residue == Self::ZERO {
+                *inverse = Self::ZERO;
+            } else {
+                *inverse = inverse.times(of_rest);
+                of_rest = of_rest.times(*residue);
+            }
+        }
+        inverses
     }
 
     /// The fraction with the smallest parts whose residue this is, if any has parts up to 64.

@@ -1,7 +1,7 @@
 //! Operations that repeat others: taking sums and products apart leaves parts that are equal, or multiples of each other,
 //! though they are made of other operations, and differences of such parts that are zero.
 
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
 use super::circuit::{Circuit, Net, Operation};
 use super::fingerprint::{Fingerprint, Residue, drawn, is_zero, kind_of, kind_of_table, symbol_at};
@@ -9,11 +9,15 @@ use crate::graph::{Rational, ratio};
 
 /// Makes operations with equal fingerprints one, up to a small rational factor where that takes fewer operations.
 pub fn merge(circuit: &mut Circuit) {
-    let mut values: Vec<Fingerprint> = Vec::new();
-    let mut known: HashMap<Residue, (Net, Fingerprint)> = HashMap::new();
+    let mut values: Vec<Fingerprint> = Vec::with_capacity(circuit.nets().count());
     for net in circuit.nets() {
-        let value = [0, 1].map(|point| value_at(circuit, net, point as u64, &values));
-        values.push(value);
+        values.push([0, 1].map(|point| value_at(circuit, net, point as u64, &values)));
+    }
+    let first: Vec<Residue> = values.iter().map(|value| value[0]).collect();
+    let inverses = Residue::inverses(&first);
+    let mut known: FxHashMap<Residue, Net> = FxHashMap::default();
+    for net in circuit.nets() {
+        let value = values[net.index()];
         if circuit.as_number(net).is_some() {
             continue;
         }
@@ -22,10 +26,13 @@ pub fn merge(circuit: &mut Circuit) {
             continue;
         }
         // Multiples of each other have the same ratio of their values.
-        let ratio_of_values = value[1].times(value[0].inverse());
-        let (earlier, other) = *known.entry(ratio_of_values).or_insert((net, value));
-        let factor = value[0].times(other[0].inverse()).as_fraction();
-        let Some((numerator, denominator)) = factor.filter(|_| earlier != net) else {
+        let ratio_of_values = value[1].times(inverses[net.index()]);
+        let earlier = *known.entry(ratio_of_values).or_insert(net);
+        if earlier == net {
+            continue;
+        }
+        let factor = value[0].times(inverses[earlier.index()]).as_fraction();
+        let Some((numerator, denominator)) = factor else {
             continue;
         };
         let cost = circuit.cost_of(net).weight();

@@ -121,6 +121,14 @@ impl Rational {
         }
     }
 
+    /// The number, where it is whole and small.
+    pub fn to_i64(&self) -> Option<i64> {
+        match &self.0 {
+            Small(numerator, 1) => Some(*numerator),
+            _ => None,
+        }
+    }
+
     /// The denominator of the fraction in lowest terms, above 0.
     pub fn denominator(&self) -> BigInt {
         match &self.0 {
