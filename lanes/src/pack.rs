@@ -94,7 +94,7 @@ impl<S: Simd> Pack<S> {
 
     /// The same with the number of the row.
     #[inline(always)]
-    pub(crate) fn map_rows(self, function: impl Fn(usize, f64) -> f64) -> Self {
+    pub fn map_rows(self, function: impl Fn(usize, f64) -> f64) -> Self {
         let given = self.numbers;
         self.with(S::f64s::from_fn(self.simd, |row| function(row, given[row])))
     }

@@ -69,7 +69,7 @@ impl Kernel<0, 1, 1> for Itself {
 }
 
 /// Takes the least, the greatest, and a sum of zeros that is NaN where a number is not finite.
-struct Span;
+pub(crate) struct Span;
 
 impl<const RESULTS: usize> Consumer<RESULTS> for Span {
     type Lanes<S: Simd> = [[Pack<S>; 3]; RESULTS];
@@ -77,11 +77,9 @@ impl<const RESULTS: usize> Consumer<RESULTS> for Span {
 
     #[inline(always)]
     fn begin<S: Simd>(&self, simd: S) -> [[Pack<S>; 3]; RESULTS] {
-        let start = [f64::INFINITY, f64::NEG_INFINITY, 0.0];
-        [start.map(
-            #[inline(always)]
-            |number| Pack::splat(simd, number),
-        ); RESULTS]
+        let [least, greatest, zeros] =
+            [f64::INFINITY, f64::NEG_INFINITY, 0.0].map(|number| Pack::splat(simd, number));
+        [[least, greatest, zeros]; RESULTS]
     }
 
     #[inline(always)]
@@ -92,14 +90,12 @@ impl<const RESULTS: usize> Consumer<RESULTS> for Span {
         _: usize,
         results: &[Pack<S>; RESULTS],
     ) {
-        for (lanes, value) in lanes.iter_mut().zip(results) {
-            let [least, greatest, zeros] = *lanes;
+        // The places are counted: adapters of iterators are not always inlined here.
+        for place in 0..RESULTS {
+            let value = results[place];
+            let [least, greatest, zeros] = lanes[place];
             // Beyond the last row a pack repeats rows that are there.
-            *lanes = [
-                least.min(*value),
-                greatest.max(*value),
-                zeros + *value * 0.0,
-            ];
+            lanes[place] = [least.min(value), greatest.max(value), zeros + value * 0.0];
         }
     }
 

@@ -16,6 +16,7 @@ use std::ops::RangeInclusive;
 use crate::extremes::{Extremes, is_size};
 use crate::quantity::{self, Quantity};
 use crate::rotor::{INPUTS, NumericInput, Rotor, RotorParameters};
+use crate::summary::{Summary, Wanted};
 
 use closed_forms::{ClosedForms, Points, is_closed};
 use widths::{Tables, Widths};
@@ -30,6 +31,8 @@ const MOST_BLOCKS: usize = 16;
 struct Block {
     /// Its first point on the axis.
     first: u64,
+    /// When it was entered last.
+    entered: u64,
     /// The values, one list for each input.
     values: Vec<Vec<f64>>,
     /// The points of plain values, and whether that is all of them.
@@ -82,6 +85,8 @@ pub(crate) struct Kernel<'a> {
     /// The blocks that were entered last, and the one that it is about.
     blocks: Vec<Block>,
     current: usize,
+    /// How often one was entered.
+    entered: u64,
     /// The last row, and whether its inputs are plain.
     last: Option<(RotorParameters, bool)>,
     /// Of a row's points those whose closed forms are known.
@@ -108,6 +113,7 @@ impl<'a> Kernel<'a> {
             inputs,
             blocks: Vec::new(),
             current: 0,
+            entered: 0,
             last: None,
             known: Vec::new(),
         }
@@ -116,15 +122,12 @@ impl<'a> Kernel<'a> {
     /// Takes the block of `length` points from the point `first` of the axis on, at most [`POINTS_PER_BLOCK`]; `fill` writes
     /// the values of the input of each number.
     pub(crate) fn enter(&mut self, first: u64, length: usize, fill: impl Fn(usize, &mut [f64])) {
+        self.entered += 1;
         let same = |block: &Block| block.first == first && block.plain.len() == length;
         if let Some(known) = self.blocks.iter().position(same) {
             self.current = known;
+            self.blocks[known].entered = self.entered;
             return;
-        }
-        self.current = self.blocks.len();
-        if self.current == MOST_BLOCKS {
-            self.current = 0;
-            self.blocks.clear();
         }
         let values = self.inputs.iter().enumerate().map(|(number, _)| {
             let mut values = vec![f64::NAN; length];
@@ -133,6 +136,7 @@ impl<'a> Kernel<'a> {
         });
         let mut block = Block {
             first,
+            entered: self.entered,
             values: values.collect(),
             plain: vec![true; length],
             all_are_plain: false,
@@ -148,7 +152,17 @@ impl<'a> Kernel<'a> {
         if let Some((_, widths)) = &self.staged {
             widths.tabulate(&block.values, &mut block.tables);
         }
-        self.blocks.push(block);
+        if self.blocks.len() < MOST_BLOCKS {
+            self.current = self.blocks.len();
+            self.blocks.push(block);
+            return;
+        }
+        // Blocks at the ends of chunks come once, and are not to drive out those that every row has.
+        let places = self.blocks.iter_mut().enumerate();
+        if let Some((oldest, place)) = places.min_by_key(|(_, block)| block.entered) {
+            self.current = oldest;
+            *place = block;
+        }
     }
 
     /// Evaluates the block for the rotors that have the inputs `row` but for those that vary, which need not be valid.
@@ -196,9 +210,13 @@ impl<'a> Kernel<'a> {
         self.rest(row, results)
     }
 
-    /// The extremes of the quantities in the block for these rotors without the quantities themselves, at points that all
-    /// have all of them. None where they cannot be had so.
-    pub(crate) fn extremes(&mut self, row: &RotorParameters) -> Option<Vec<Extremes>> {
+    /// What is wanted of the quantities in the block for these rotors without the quantities themselves, at points that all
+    /// have all of them. None where it cannot be had so.
+    pub(crate) fn summaries(
+        &mut self,
+        row: &RotorParameters,
+        wanted: &Wanted,
+    ) -> Option<Vec<Summary>> {
         let row_is_plain = self.is_plain(row);
         let block = self.blocks.get(self.current)?;
         let points = block.points(row, &self.inputs);
@@ -206,11 +224,12 @@ impl<'a> Kernel<'a> {
             return None;
         }
         let (places, widths) = self.staged.as_mut()?;
-        let found = widths.extremes(points, &block.tables)?;
+        let mut found = widths.summaries(points, &block.tables, wanted)?.map(Some);
         let of_quantity = |place| {
-            let mut widths = places.iter().zip(found);
-            let width = widths.find(|(known, _)| **known == Some(place));
-            width.map(|(_, extremes)| extremes)
+            let width = places.iter().position(|known| *known == Some(place))?;
+            found[width]
+                .take()
+                .filter(|width| width.extremes.are_sizes())
         };
         (0..self.quantities.len()).map(of_quantity).collect()
     }
@@ -313,6 +332,7 @@ impl Sizes {
     }
 
     /// Without branches, so that a list is looked through in packs.
+    #[inline]
     fn contain(&self, value: f64) -> bool {
         let size = value.abs();
         let is_between = (size > self.above) & (size < self.below);

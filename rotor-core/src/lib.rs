@@ -39,6 +39,7 @@ mod roots;
 pub mod rotor;
 pub mod scan;
 pub mod stability;
+mod summary;
 pub mod table;
 pub mod zero_unstable_point;
 

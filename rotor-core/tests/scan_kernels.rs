@@ -3,7 +3,9 @@
 
 use rotor_core::quantity::{self, Quantity};
 use rotor_core::rotor::{CrackModel, INPUTS, NumericInput, Rotor, RotorParameters};
-use rotor_core::scan::{Axis, Control, Distribution, Plan, Reduction, Sampling, Scan, Statistic};
+use rotor_core::scan::{
+    Axis, Control, Distribution, Plan, Reduced, Reduction, Sampling, Scan, Statistic,
+};
 
 const WIDTHS: [Quantity; 2] = [Quantity::SirWidth, Quantity::CirWidth];
 const ANGLES: [f64; 2] = [0.4, 1.1];
@@ -186,8 +188,97 @@ fn what_is_drawn_beyond_what_an_input_allows_is_no_rotor() {
     }
 }
 
+const BINS: u32 = 8;
+
+/// A reduction of each kind over an input.
+fn reductions(over: &'static NumericInput, threshold: f64) -> Vec<Reduction> {
+    let bins = Statistic::Histogram {
+        low: 0.5 * threshold,
+        high: 1.5 * threshold,
+        bins: BINS,
+    };
+    [
+        Statistic::Maximum,
+        Statistic::Minimum,
+        Statistic::ArgMaximum,
+        Statistic::ArgMinimum,
+        Statistic::Mean,
+        Statistic::CountAbove(threshold),
+        bins,
+    ]
+    .map(|statistic| Reduction::new(statistic).over(over))
+    .into()
+}
+
+/// Compares what reductions give without the points with what the values of the points say. `values` are those of a row
+/// that starts at the point `first`.
+fn assert_as_the_values(reduced: &[Reduced], (row, first): (u64, u64), values: &[f64], name: &str) {
+    let value = |number: usize| reduced[number].value(0, row).unwrap();
+    let near = |found: f64, expected: f64| {
+        assert!(
+            (found / expected - 1.0).abs() < 1e-14,
+            "{name}: {found} {expected}"
+        );
+    };
+    let greatest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let least = values.iter().copied().fold(f64::INFINITY, f64::min);
+    let place = |wanted: f64| {
+        let place = values.iter().position(|value| *value == wanted);
+        Some(first + place.unwrap() as u64)
+    };
+    assert_eq!(
+        [value(0), value(1), value(2), value(3)],
+        [greatest, least, greatest, least]
+    );
+    assert_eq!(reduced[2].point(0, row), place(greatest), "{name}");
+    assert_eq!(reduced[3].point(0, row), place(least), "{name}");
+    near(value(4), values.iter().sum::<f64>() / values.len() as f64);
+    let Statistic::CountAbove(threshold) = *reduced[5].reduction().statistic() else {
+        panic!("the sixth reduction counts");
+    };
+    let above = values.iter().filter(|value| **value > threshold).count();
+    assert_eq!(value(5), above as f64, "{name}");
+    let counts = reduced[6].histogram(0, row);
+    let bin = |value: f64| match (value / threshold - 0.5) * f64::from(BINS) {
+        below if below < 0.0 => 0,
+        place => (place as usize).min(BINS as usize) + 1,
+    };
+    let mut expected = vec![0; BINS as usize + 2];
+    values.iter().for_each(|value| expected[bin(*value)] += 1);
+    assert_eq!(counts, expected, "{name}");
+}
+
 #[test]
-fn extremes_over_the_angle_are_those_of_the_points() {
+fn what_is_reduced_without_the_points_is_what_they_say() {
+    let input = |name| NumericInput::find(name).unwrap();
+    for (name, ends, threshold) in [
+        ("crack_angle", (0.1, 3.0), 0.05),
+        ("disk_asymmetry", (0.05, 0.4), 0.1),
+        ("crack_depth_ratio", (0.05, 0.4), 0.06),
+        ("crack_position_ratio", (0.1, 0.9), 0.05),
+    ] {
+        // Rows that are no whole number of blocks or packs, and chunks that end within rows.
+        let radii = Axis::linear(input("shaft_radius"), (0.009, 0.011), 30).unwrap();
+        let axis = Axis::linear(input(name), ends, 9001).unwrap();
+        for quantity in WIDTHS {
+            let scan = Scan::of(&Rotor::default()).vary(radii.clone());
+            let scan = scan.vary(axis.clone()).quantity(quantity);
+            let values = scanned(&scan.clone().plan().unwrap(), 1).remove(0);
+            let values: Vec<f64> = values.into_iter().flatten().collect();
+            assert_eq!(values.len(), 30 * 9001);
+            let all = reductions(input(name), threshold).into_iter();
+            let plan = all.fold(scan, Scan::reduce).plan().unwrap();
+            let reduced = plan.reduce(&Control::default()).unwrap().reduced;
+            for (row, values) in values.chunks(9001).enumerate() {
+                let start = (row as u64, row as u64 * 9001);
+                assert_as_the_values(&reduced, start, values, name);
+            }
+        }
+    }
+}
+
+#[test]
+fn extremes_over_the_angle_alone_are_those_of_the_points() {
     let input = |name| NumericInput::find(name).unwrap();
     let scan = |statistics: &[Statistic]| {
         let depths = Axis::listed(input("crack_depth_ratio"), vec![0.0, 0.1, 0.35]).unwrap();
@@ -199,10 +290,10 @@ fn extremes_over_the_angle_are_those_of_the_points() {
         let plan = reductions.fold(scan, Scan::reduce).plan().unwrap();
         plan.reduce(&Control::default()).unwrap()
     };
-    // Without the points, and with them for the sake of the mean.
+    // Of the squares, and of the widths for the sake of the mean.
     let extremes = scan(&[Statistic::Maximum, Statistic::Minimum]);
-    let of_points = scan(&[Statistic::Maximum, Statistic::Minimum, Statistic::Mean]);
-    for (found, expected) in extremes.reduced.iter().zip(&of_points.reduced) {
+    let of_widths = scan(&[Statistic::Maximum, Statistic::Minimum, Statistic::Mean]);
+    for (found, expected) in extremes.reduced.iter().zip(&of_widths.reduced) {
         for group in 0..3 {
             for quantity in 0..2 {
                 let [found, expected] =
@@ -211,5 +302,5 @@ fn extremes_over_the_angle_are_those_of_the_points() {
             }
         }
     }
-    assert_eq!(extremes.counts, of_points.counts);
+    assert_eq!(extremes.counts, of_widths.counts);
 }

@@ -37,7 +37,11 @@ impl Residue {
     fn small(value: i64) -> Option<Self> {
         let size = Some(value.unsigned_abs()).filter(|size| *size < PRIME)?;
         let residue = Self(size);
-        Some(if value < 0 { residue.negative() } else { residue })
+        Some(if value < 0 {
+            residue.negative()
+        } else {
+            residue
+        })
     }
 
     fn whole(value: &BigInt) -> Self {

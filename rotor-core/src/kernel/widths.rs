@@ -5,6 +5,7 @@ use lanes::{ALL, Kernel, Level, store};
 use crate::equations::{self, Coefficients, Stiffness, both_widths, both_widths_squared, widths};
 use crate::extremes::Extremes;
 use crate::rotor::{LoadCase, NumericInput, Rotor, RotorParameters};
+use crate::summary::{Summary, Wanted};
 
 use super::closed_forms;
 
@@ -85,40 +86,56 @@ impl Widths {
         tables: &Tables,
         results: [Option<&mut [f64]>; 2],
     ) -> bool {
-        let results = Results::new(results);
+        self.finish(points, tables, Results::new(results)).is_some()
+    }
+
+    /// The stages of a row up to the last one.
+    fn finish<L: LastStage>(
+        &mut self,
+        points: closed_forms::Points<'_>,
+        tables: &Tables,
+        last: L,
+    ) -> Option<L::Output> {
         let parameters = without_axis(points);
         match self.stages {
             Stages::Angle | Stages::Asymmetry | Stages::Inertias => {
-                self.along_coefficients(parameters, points, tables, results)
+                self.along_coefficients(parameters, points, tables, last)
             }
-            _ if Rotor::new(parameters).is_err() => false,
+            _ if Rotor::new(parameters).is_err() => None,
             Stages::Depth => {
                 use widths::along_crack_depth_ratio::{FIXED, Points, TABLES, fixed};
                 let loads = LoadCase::of(&parameters).loads(&parameters);
                 let fixed = fixed(&parameters, &loads, parameters.crack_edge.factor());
-                results.points::<Points, FIXED, TABLES>(&fixed, tables)
+                last.points::<Points, FIXED, TABLES>(&fixed, tables)
             }
-            Stages::Place => self.along_places(parameters, points, results),
+            Stages::Place => self.along_places(parameters, points, last),
         }
     }
 
-    /// The extremes of both widths along the crack's angle without the widths themselves, at points of plain values that
-    /// all have regions. None where that cannot be done.
-    ///
-    /// They are those of the squares, which are the radicands: of these one root is left.
-    pub(super) fn extremes(
+    /// What is wanted of both widths without the widths themselves, at points of plain values that all have regions. None
+    /// where that cannot be done.
+    pub(super) fn summaries(
         &mut self,
         points: closed_forms::Points<'_>,
         tables: &Tables,
-    ) -> Option<[Extremes; 2]> {
-        use both_widths_squared::along_crack_angle::{FIXED, Points, TABLES, fixed};
-        if self.stages != Stages::Angle {
-            return None;
+        wanted: &Wanted,
+    ) -> Option<[Summary; 2]> {
+        if self.stages == Stages::Angle && *wanted == Wanted::default() {
+            return self.extremes_along_angle(points, tables);
         }
+        self.finish(points, tables, wanted)
+    }
+
+    /// The extremes along the crack's angle: those of the squares, which are the radicands. Of these one root is left.
+    fn extremes_along_angle(
+        &mut self,
+        points: closed_forms::Points<'_>,
+        tables: &Tables,
+    ) -> Option<[Summary; 2]> {
+        use both_widths_squared::along_crack_angle::{FIXED, Points, TABLES, fixed};
         let (_, c) = self.of_row(without_axis(points))?;
         let squares = Extremes::along::<Points, FIXED, TABLES, 2>(&fixed(&c), columns_of(tables));
-        let widths = squares.map(|squares| squares.of_roots());
-        widths.iter().all(Extremes::are_sizes).then_some(widths)
+        Some(squares.map(|squares| squares.of_roots().into()))
     }
 
     /// What the rotor of a row has; it is the same for all blocks of the row.
@@ -134,24 +151,22 @@ impl Widths {
         found
     }
 
-    fn along_coefficients(
+    fn along_coefficients<L: LastStage>(
         &mut self,
         parameters: RotorParameters,
         points: closed_forms::Points<'_>,
         tables: &Tables,
-        results: Results<'_>,
-    ) -> bool {
-        let Some((k, c)) = self.of_row(parameters) else {
-            return false;
-        };
+        last: L,
+    ) -> Option<L::Output> {
+        let (k, c) = self.of_row(parameters)?;
         match self.stages {
             Stages::Angle => {
                 use both_widths::along_crack_angle::{FIXED, Points, TABLES, fixed};
-                results.points::<Points, FIXED, TABLES>(&fixed(&c), tables)
+                last.points::<Points, FIXED, TABLES>(&fixed(&c), tables)
             }
             Stages::Asymmetry => {
                 use both_widths::along_disk_asymmetry::{FIXED, Points, TABLES, fixed};
-                results.points::<Points, FIXED, TABLES>(&fixed(&c), tables)
+                last.points::<Points, FIXED, TABLES>(&fixed(&c), tables)
             }
             _ => {
                 use both_widths::along_beta_and_gamma_and_delta::{
@@ -171,17 +186,17 @@ impl Widths {
                     columns.each_ref().map(Vec::as_slice),
                     &mut self.scratch,
                 );
-                results.points::<Points, FIXED, TABLES>(&fixed(&c), &self.scratch)
+                last.points::<Points, FIXED, TABLES>(&fixed(&c), &self.scratch)
             }
         }
     }
 
-    fn along_places(
+    fn along_places<L: LastStage>(
         &mut self,
         mut parameters: RotorParameters,
         points: closed_forms::Points<'_>,
-        results: Results<'_>,
-    ) -> bool {
+        last: L,
+    ) -> Option<L::Output> {
         use widths::along_moment_of_force_and_shear_of_force_and_moment_of_couple_and_shear_of_couple::{
             Along, FIXED, Points, TABLES, fixed,
         };
@@ -203,7 +218,7 @@ impl Widths {
             }
         }
         tabulate::<Along, 4, TABLES>(columns.each_ref().map(Vec::as_slice), &mut self.scratch);
-        results.points::<Points, FIXED, TABLES>(&fixed, &self.scratch)
+        last.points::<Points, FIXED, TABLES>(&fixed, &self.scratch)
     }
 }
 
@@ -252,6 +267,20 @@ fn set(parameters: &mut RotorParameters, points: closed_forms::Points<'_>, point
     }
 }
 
+/// What becomes of both widths in the last stage, the loop over the points.
+trait LastStage {
+    type Output;
+
+    /// Runs the loop. None where that cannot be done.
+    fn points<P, const FIXED: usize, const TABLES: usize>(
+        self,
+        fixed: &[f64; FIXED],
+        tables: &Tables,
+    ) -> Option<Self::Output>
+    where
+        P: Kernel<FIXED, TABLES, 2>;
+}
+
 /// Where the widths go that are wanted; the slices of others are empty.
 struct Results<'a> {
     wanted: [bool; 2],
@@ -265,13 +294,16 @@ impl<'a> Results<'a> {
             slices: results.map(Option::unwrap_or_default),
         }
     }
+}
 
-    /// The last stage: the loop over the points. Whether it could be done.
+impl LastStage for Results<'_> {
+    type Output = ();
+
     fn points<P, const FIXED: usize, const TABLES: usize>(
         self,
         fixed: &[f64; FIXED],
         tables: &Tables,
-    ) -> bool
+    ) -> Option<()>
     where
         P: Kernel<FIXED, TABLES, 2>,
     {
@@ -286,7 +318,22 @@ impl<'a> Results<'a> {
             }
             _ => store::<P, ALL, FIXED, TABLES, 2>(level, fixed, tables, slices),
         };
-        stored.is_ok()
+        stored.ok()
+    }
+}
+
+impl LastStage for &Wanted {
+    type Output = [Summary; 2];
+
+    fn points<P, const FIXED: usize, const TABLES: usize>(
+        self,
+        fixed: &[f64; FIXED],
+        tables: &Tables,
+    ) -> Option<[Summary; 2]>
+    where
+        P: Kernel<FIXED, TABLES, 2>,
+    {
+        Summary::along::<P, FIXED, TABLES, 2>(self, fixed, columns_of(tables))
     }
 }
 

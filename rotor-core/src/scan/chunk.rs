@@ -2,10 +2,10 @@
 
 use std::sync::Mutex;
 
-use crate::extremes::Extremes;
 use crate::kernel::{Kernel, POINTS_PER_BLOCK};
 use crate::quantity::Quantity;
 use crate::rotor::RotorParameters;
+use crate::summary::{Summary, Wanted};
 
 use super::Plan;
 use super::axis::Axis;
@@ -149,6 +149,8 @@ impl<'a> Column<'a> {
 pub(super) struct Block<'a> {
     /// Its first point.
     pub(super) first: u64,
+    /// How many it has.
+    pub(super) points: u64,
     /// What is known of it.
     pub(super) results: Results<'a>,
 }
@@ -157,8 +159,8 @@ pub(super) struct Block<'a> {
 pub(super) enum Results<'a> {
     /// Its values, NaN where there is none.
     Values(&'a [&'a mut [f64]]),
-    /// What they span. Every point has one.
-    Extremes(&'a [Extremes]),
+    /// What was wanted of them. Every point has one.
+    Summaries(&'a [Summary], &'a Wanted),
 }
 
 /// The kernels of a plan that wait for work: what they have tabulated serves the next chunk too.
@@ -199,12 +201,13 @@ pub(super) fn extent(plan: &Plan, number: u64) -> (u64, u64) {
     (first, POINTS_PER_CHUNK.min(plan.space.len() - first))
 }
 
-/// Evaluates a chunk block by block; none where it is to stop. Where extremes are `enough`, blocks may come without values.
+/// Evaluates a chunk block by block; none where it is to stop. Where what is `wanted` of it is enough, a block may
+/// come without values.
 pub(super) fn evaluate_blocks(
     kernels: &Kernels<'_>,
     number: u64,
     stop: &dyn Fn() -> bool,
-    enough: bool,
+    wanted: Option<&Wanted>,
     mut take: impl FnMut(&Block<'_>),
 ) -> Option<Counts> {
     let plan = kernels.plan;
@@ -230,9 +233,15 @@ pub(super) fn evaluate_blocks(
         });
         let row = row_of(&plan.base, outer, row);
         counts.points += taken;
-        if let Some(extremes) = enough.then(|| kernel.extremes(&row)).flatten() {
-            let results = Results::Extremes(&extremes);
-            take(&Block { first, results });
+        let summaries = wanted.and_then(|wanted| Some((kernel.summaries(&row, wanted)?, wanted)));
+        if let Some((summaries, wanted)) = summaries {
+            let results = Results::Summaries(&summaries, wanted);
+            let points = taken;
+            take(&Block {
+                first,
+                points,
+                results,
+            });
         } else {
             let buffers = buffers.iter_mut().map(|buffer| &mut buffer[..taken_here]);
             let mut values: Vec<&mut [f64]> = buffers.collect();
@@ -244,7 +253,12 @@ pub(super) fn evaluate_blocks(
                 }
             }
             let results = Results::Values(&values);
-            take(&Block { first, results });
+            let points = taken;
+            take(&Block {
+                first,
+                points,
+                results,
+            });
         }
         first += taken;
     }
@@ -276,7 +290,7 @@ pub(super) fn evaluate<'a>(
     let (first, length) = extent(plan, number);
     let empty = |_: &Quantity| Vec::with_capacity(to_usize(length));
     let mut results: Vec<Vec<f64>> = plan.quantities.iter().map(empty).collect();
-    let counts = evaluate_blocks(kernels, number, stop, false, |block| {
+    let counts = evaluate_blocks(kernels, number, stop, None, |block| {
         if let Results::Values(values) = block.results {
             for (all, values) in results.iter_mut().zip(values) {
                 all.extend_from_slice(values);

@@ -8,6 +8,7 @@ mod cells;
 use std::fmt;
 
 use crate::rotor::NumericInput;
+use crate::summary::{Bins, MOST_THRESHOLDS, Wanted};
 
 use super::Plan;
 use super::chunk::{self, Block, Results};
@@ -290,14 +291,26 @@ impl<'a> Reductions<'a> {
         Self { plan, parts }
     }
 
-    /// Whether the extremes of blocks say all.
-    pub(super) fn want_only_extremes(&self) -> bool {
-        let mut groupings = self.plan.groupings.iter();
-        groupings.all(|grouping| {
-            let statistic = grouping.reduction.statistic;
-            let is_extreme = matches!(statistic, Statistic::Maximum | Statistic::Minimum);
-            is_extreme && grouping.reduces_inner_axis()
-        })
+    /// What is to be known of blocks besides their extremes, if that says all.
+    pub(super) fn wanted(&self) -> Option<Wanted> {
+        let mut wanted = Wanted::default();
+        for grouping in &self.plan.groupings {
+            if !grouping.reduces_inner_axis() {
+                return None;
+            }
+            match grouping.reduction.statistic {
+                Statistic::Maximum | Statistic::Minimum => {}
+                Statistic::ArgMaximum | Statistic::ArgMinimum => wanted.places = true,
+                Statistic::Mean => wanted.sum = true,
+                Statistic::CountAbove(threshold) => wanted.thresholds.push(threshold),
+                Statistic::Histogram { low, high, bins } => wanted.bins.push(Bins {
+                    low,
+                    high,
+                    count: bins,
+                }),
+            }
+        }
+        (wanted.thresholds.len() <= MOST_THRESHOLDS).then_some(wanted)
     }
 
     /// Takes the results of a block.
@@ -309,11 +322,10 @@ impl<'a> Reductions<'a> {
             let inner_is_reduced = grouping.reduces_inner_axis();
             let values = match block.results {
                 Results::Values(values) => values,
-                Results::Extremes(extremes) => {
-                    for (cells, extremes) in part.cells.iter_mut().zip(extremes) {
-                        let cell = cells.get_mut(start);
-                        cell.into_iter()
-                            .for_each(|cell| cell.widen(statistic, extremes));
+                Results::Summaries(summaries, wanted) => {
+                    for (cells, summary) in part.cells.iter_mut().zip(summaries) {
+                        let cells = cells.get_mut(start..).unwrap_or_default();
+                        cells::take(statistic, cells, block, (summary, wanted));
                     }
                     continue;
                 }

@@ -104,11 +104,11 @@ impl Plan {
             Reductions::from_bytes(self, state)?
         };
         let kernels = Kernels::new(self);
-        let enough = reductions.want_only_extremes();
+        let wanted = reductions.wanted();
         let work = |number, stop: &dyn Fn() -> bool| {
             let mut part = Reductions::of_chunk(self, number);
             let take = |block: &Block<'_>| part.take(block);
-            let counts = chunk::evaluate_blocks(&kernels, number, stop, enough, take)?;
+            let counts = chunk::evaluate_blocks(&kernels, number, stop, wanted.as_ref(), take)?;
             Some((counts, part))
         };
         let all = chunk..self.chunk_count();

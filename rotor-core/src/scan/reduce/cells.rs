@@ -1,7 +1,9 @@
 //! The number that a reduction keeps for a group, and how it takes values.
 
 use crate::extremes::Extremes;
+use crate::summary::{Bins, SUMS, Summary, Wanted};
 
+use super::super::chunk::Block;
 use super::Statistic;
 
 /// What is kept of a group, or of a bin of it.
@@ -34,15 +36,6 @@ impl Cell {
         }
     }
 
-    /// Takes the extremes of values; for a maximum or a minimum.
-    pub(super) fn widen(&mut self, statistic: Statistic, extremes: &Extremes) {
-        self.value = match statistic {
-            Statistic::Maximum => self.value.max(extremes.greatest),
-            Statistic::Minimum => self.value.min(extremes.least),
-            _ => self.value,
-        };
-    }
-
     pub(super) fn to_bytes(self) -> [u8; 16] {
         let mut bytes = [0; 16];
         bytes[..8].copy_from_slice(&self.value.to_le_bytes());
@@ -55,6 +48,59 @@ impl Cell {
         Self {
             value: f64::from_bits(both as u64),
             number: (both >> 64) as u64,
+        }
+    }
+}
+
+/// Takes what was wanted of a block into the cells of one group.
+pub(super) fn take(
+    statistic: Statistic,
+    cells: &mut [Cell],
+    block: &Block<'_>,
+    (summary, wanted): (&Summary, &Wanted),
+) {
+    let Some(cell) = cells.first_mut() else {
+        return;
+    };
+    let Extremes {
+        least, greatest, ..
+    } = summary.extremes;
+    match statistic {
+        Statistic::Maximum | Statistic::ArgMaximum => {
+            if greatest > cell.value {
+                cell.value = greatest;
+                if statistic.locates() {
+                    cell.number = block.first + summary.first_greatest as u64;
+                }
+            }
+        }
+        Statistic::Minimum | Statistic::ArgMinimum => {
+            if least < cell.value {
+                cell.value = least;
+                if statistic.locates() {
+                    cell.number = block.first + summary.first_least as u64;
+                }
+            }
+        }
+        Statistic::Mean => {
+            cell.value += summary.sum;
+            cell.number += block.points;
+        }
+        Statistic::CountAbove(threshold) => {
+            let mut counts = wanted.thresholds.iter().zip(&summary.above);
+            let of_threshold = counts.find(|(known, _)| **known == threshold);
+            cell.number += of_threshold.map_or(0, |(_, count)| *count);
+        }
+        Statistic::Histogram { low, high, bins } => {
+            let count = bins;
+            let mut counts = wanted.bins.iter().zip(&summary.counts);
+            let of_bins = counts.find(|(known, _)| **known == Bins { low, high, count });
+            for (cell, count) in cells
+                .iter_mut()
+                .zip(of_bins.into_iter().flat_map(|(_, of)| of))
+            {
+                cell.number += count;
+            }
         }
     }
 }
@@ -100,9 +146,10 @@ pub(super) fn fold(statistic: Statistic, cells: &mut [Cell], point: u64, values:
             cell.number += values.iter().filter(|&&value| value > threshold).count() as u64;
         }
         Statistic::Histogram { low, high, bins } => {
+            let count = bins;
+            let bins = Bins { low, high, count };
             for value in values.iter().filter(|value| !value.is_nan()) {
-                let bin = bin(*value, low, high, bins);
-                if let Some(cell) = cells.get_mut(bin) {
+                if let Some(cell) = cells.get_mut(bins.place(*value)) {
                     cell.number += 1;
                 }
             }
@@ -110,13 +157,10 @@ pub(super) fn fold(statistic: Statistic, cells: &mut [Cell], point: u64, values:
     }
 }
 
-/// Values side by side that a processor takes at once; as many everywhere, so that sums are the same everywhere.
-const LANES: usize = 8;
-
 /// Folds every eighth value for itself.
-fn in_lanes(values: &[f64], start: f64, step: impl Fn(f64, f64) -> f64) -> [f64; LANES] {
-    let mut lanes = [start; LANES];
-    let (packs, rest) = values.as_chunks::<LANES>();
+fn in_lanes(values: &[f64], start: f64, step: impl Fn(f64, f64) -> f64) -> [f64; SUMS] {
+    let mut lanes = [start; SUMS];
+    let (packs, rest) = values.as_chunks::<SUMS>();
     for pack in packs {
         for (lane, value) in lanes.iter_mut().zip(pack) {
             *lane = step(*lane, *value);
@@ -132,19 +176,6 @@ fn in_lanes(values: &[f64], start: f64, step: impl Fn(f64, f64) -> f64) -> [f64;
 fn first(values: &[f64], wanted: f64, point: u64) -> u64 {
     let place = values.iter().position(|value| *value == wanted);
     point + place.unwrap_or(0) as u64
-}
-
-/// The cell of a value in a histogram: 0 is below all bins, `bins + 1` above.
-fn bin(value: f64, low: f64, high: f64, bins: u32) -> usize {
-    if value < low {
-        0
-    } else if value > high {
-        bins as usize + 1
-    } else {
-        // Rounding may lead past the last bin, whose upper end belongs to it.
-        let share = (value - low) / (high - low);
-        1 + ((share * f64::from(bins)) as usize).min(bins as usize - 1)
-    }
 }
 
 /// Takes what later points have kept.
@@ -237,6 +268,5 @@ mod tests {
             .map(|cell| cell.number)
             .collect();
         assert_eq!(counts, [1, 1, 1, 0, 2, 0]);
-        assert_eq!((bin(2.1, 0.0, 2.0, 4), bin(1.5, 0.0, 2.0, 4)), (5, 4));
     }
 }
