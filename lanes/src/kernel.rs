@@ -181,11 +181,7 @@ where
 
     /// The same for fewer rows than a pack may have, in columns that are lengthened by their last number.
     fn run_lengthened(self, level: Level) {
-        let along = self.along.map(|column| {
-            let last = column.len().saturating_sub(1);
-            let number = |row: usize| column.get(row.min(last)).copied().unwrap_or(0.0);
-            std::array::from_fn::<f64, LONGEST, _>(number)
-        });
+        let along = self.along.map(lengthened);
         let mut results = [[0.0; LONGEST]; RESULTS];
         let lengthened = Store::<'_, K, WANTED, FIXED, ALONG, RESULTS> {
             rows: LONGEST,
@@ -358,18 +354,11 @@ fn packs<S: Simd, const ALONG: usize>(
     packs
 }
 
-/// The same of rows that are fewer than a pack.
-#[inline(always)]
-fn tails<S: Simd, const ALONG: usize>(
-    simd: S,
-    along: &[&[f64]; ALONG],
-    row: usize,
-) -> [Pack<S>; ALONG] {
-    let mut packs = [Pack::splat(simd, 0.0); ALONG];
-    for column in 0..ALONG {
-        packs[column] = Pack::load_tail(simd, &along[column][row..]);
-    }
-    packs
+/// A column of fewer rows than a pack has, its last number in those after it.
+#[inline(never)]
+fn lengthened(column: &[f64]) -> [f64; LONGEST] {
+    let last = column.len().saturating_sub(1);
+    std::array::from_fn(|row| column.get(row.min(last)).copied().unwrap_or(0.0))
 }
 
 /// What takes the results of a kernel where they arise, without an output array.
@@ -442,15 +431,32 @@ where
         let fixed = splats(simd, self.fixed);
         let length = Pack::<S>::LENGTH;
         let whole = self.rows - self.rows % length;
-        let mut lanes = self.consumer.begin(simd);
-        for row in (0..whole).step_by(length) {
-            let results = K::evaluate(simd, fixed, packs(simd, &self.along, row));
-            self.consumer.take(&mut lanes, row, length, &results);
-        }
+        let mut rest = [[0.0; LONGEST]; ALONG];
         if whole < self.rows {
-            let results = K::evaluate(simd, fixed, tails(simd, &self.along, whole));
-            self.consumer
-                .take(&mut lanes, whole, self.rows - whole, &results);
+            rest = self.along.map(|column| lengthened(&column[whole..]));
+        }
+        let packs_of_rest = (self.rows - whole).min(1) * length;
+        // Whole packs, then the last one; evaluated at one place only, as in `Store`.
+        let parts = [
+            (self.along, whole, 0, length),
+            (
+                rest.each_ref().map(|column| column.as_slice()),
+                packs_of_rest,
+                whole,
+                self.rows - whole,
+            ),
+        ];
+        let mut lanes = self.consumer.begin(simd);
+        for (mut along, rows, first, here) in parts {
+            for column in 0..ALONG {
+                along[column] = &along[column][..rows];
+            }
+            let mut row = 0;
+            while row + length <= rows {
+                let results = K::evaluate(simd, fixed, packs(simd, &along, row));
+                self.consumer.take(&mut lanes, first + row, here, &results);
+                row += length;
+            }
         }
         self.consumer.end(lanes)
     }

@@ -32,15 +32,6 @@ impl<S: Simd> Pack<S> {
         Self { simd, numbers }
     }
 
-    /// The numbers of a slice shorter than a pack; the last stands in the rows after it.
-    #[inline(always)]
-    pub(crate) fn load_tail(simd: S, slice: &[f64]) -> Self {
-        let last = slice.len().saturating_sub(1);
-        let number = |row: usize| slice.get(row.min(last)).copied().unwrap_or(0.0);
-        let numbers = S::f64s::from_fn(simd, number);
-        Self { simd, numbers }
-    }
-
     /// Writes the numbers to a slice of [`LENGTH`](Self::LENGTH).
     #[inline(always)]
     pub(crate) fn store(self, slice: &mut [f64]) {

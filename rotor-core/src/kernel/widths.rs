@@ -86,10 +86,15 @@ impl Widths {
         tables: &Tables,
         results: [Option<&mut [f64]>; 2],
     ) -> bool {
-        self.finish(points, tables, Results::new(results)).is_some()
+        let results = Results::new(results);
+        match self.stages {
+            Stages::Inertias => self.along_inertias(points, results),
+            _ => self.finish(points, tables, results),
+        }
+        .is_some()
     }
 
-    /// The stages of a row up to the last one.
+    /// The stages of a row up to the last one; along inertias there are none that all kinds of a last stage have.
     fn finish<L: LastStage>(
         &mut self,
         points: closed_forms::Points<'_>,
@@ -98,8 +103,16 @@ impl Widths {
     ) -> Option<L::Output> {
         let parameters = without_axis(points);
         match self.stages {
-            Stages::Angle | Stages::Asymmetry | Stages::Inertias => {
-                self.along_coefficients(parameters, points, tables, last)
+            Stages::Inertias => None,
+            Stages::Angle => {
+                use both_widths::along_crack_angle::{FIXED, Points, TABLES, fixed};
+                let (_, c) = self.of_row(parameters)?;
+                last.points::<Points, FIXED, TABLES>(&fixed(&c), tables)
+            }
+            Stages::Asymmetry => {
+                use both_widths::along_disk_asymmetry::{FIXED, Points, TABLES, fixed};
+                let (_, c) = self.of_row(parameters)?;
+                last.points::<Points, FIXED, TABLES>(&fixed(&c), tables)
             }
             _ if Rotor::new(parameters).is_err() => None,
             Stages::Depth => {
@@ -151,44 +164,26 @@ impl Widths {
         found
     }
 
-    fn along_coefficients<L: LastStage>(
+    fn along_inertias(
         &mut self,
-        parameters: RotorParameters,
         points: closed_forms::Points<'_>,
-        tables: &Tables,
-        last: L,
-    ) -> Option<L::Output> {
-        let (k, c) = self.of_row(parameters)?;
-        match self.stages {
-            Stages::Angle => {
-                use both_widths::along_crack_angle::{FIXED, Points, TABLES, fixed};
-                last.points::<Points, FIXED, TABLES>(&fixed(&c), tables)
-            }
-            Stages::Asymmetry => {
-                use both_widths::along_disk_asymmetry::{FIXED, Points, TABLES, fixed};
-                last.points::<Points, FIXED, TABLES>(&fixed(&c), tables)
-            }
-            _ => {
-                use both_widths::along_beta_and_gamma_and_delta::{
-                    Along, FIXED, Points, TABLES, fixed,
-                };
-                let mut parameters = *points.row;
-                let length = points.values.first().map_or(0, Vec::len);
-                let mut columns = [(); 3].map(|()| Vec::with_capacity(length));
-                for point in 0..length {
-                    set(&mut parameters, points, point);
-                    let c = equations::coefficients::value(&parameters, &k);
-                    for (column, value) in columns.iter_mut().zip([c.beta, c.gamma, c.delta]) {
-                        column.push(value);
-                    }
-                }
-                tabulate::<Along, 3, TABLES>(
-                    columns.each_ref().map(Vec::as_slice),
-                    &mut self.scratch,
-                );
-                last.points::<Points, FIXED, TABLES>(&fixed(&c), &self.scratch)
+        results: Results<'_>,
+    ) -> Option<()> {
+        use both_widths::along_beta_and_gamma_and_delta::{Along, FIXED, Points, TABLES, fixed};
+        let (k, c) = self.of_row(without_axis(points))?;
+        let mut parameters = *points.row;
+        let length = points.values.first().map_or(0, Vec::len);
+        let mut columns = [(); 3].map(|()| Vec::with_capacity(length));
+        for point in 0..length {
+            set(&mut parameters, points, point);
+            let c = equations::coefficients::value(&parameters, &k);
+            for (column, value) in columns.iter_mut().zip([c.beta, c.gamma, c.delta]) {
+                column.push(value);
             }
         }
+        let columns = columns.each_ref().map(Vec::as_slice);
+        tabulate::<Along, 3, TABLES>(columns, &mut self.scratch);
+        results.points::<Points, FIXED, TABLES>(&fixed(&c), &self.scratch)
     }
 
     fn along_places<L: LastStage>(
