@@ -65,6 +65,65 @@ fn check<'a>(
     Ok(())
 }
 
+// What follows is the same for all kernels, and is compiled once for each number of columns.
+
+/// How many rows there are: none where no result is wanted.
+fn rows_of<const ALONG: usize, const RESULTS: usize>(
+    wanted: u64,
+    along: &[&[f64]; ALONG],
+    results: &[&mut [f64]; RESULTS],
+) -> Result<usize, LengthError> {
+    let lengths = results.iter().map(|column| column.len()).enumerate();
+    let mut lengths = lengths.filter(|(position, _)| is_wanted(wanted, *position));
+    let Some((_, rows)) = lengths.next() else {
+        return Ok(0);
+    };
+    check(along.iter().map(|column| column.len()).enumerate(), rows)?;
+    let places = lengths.map(|(position, length)| (ALONG + position, length));
+    check(places, rows)?;
+    Ok(rows)
+}
+
+/// The rows from `first` on, fewer than a pack may have; the last number stands in those after it.
+#[inline(never)]
+fn lengthened<const COLUMNS: usize>(
+    columns: &[&[f64]; COLUMNS],
+    first: usize,
+) -> [[f64; LONGEST]; COLUMNS] {
+    columns.map(|column| {
+        let last = column.len().saturating_sub(1);
+        std::array::from_fn(|row| {
+            let number = column.get((first + row).min(last));
+            number.copied().unwrap_or(0.0)
+        })
+    })
+}
+
+/// Copies the first rows of those results that are wanted to where they belong.
+#[inline(never)]
+fn shortened<const RESULTS: usize>(
+    wanted: u64,
+    results: [&mut [f64]; RESULTS],
+    lengthened: &[[f64; LONGEST]; RESULTS],
+    rows: usize,
+) {
+    for (position, (column, lengthened)) in results.into_iter().zip(lengthened).enumerate() {
+        if is_wanted(wanted, position) {
+            column.copy_from_slice(&lengthened[..rows]);
+        }
+    }
+}
+
+fn slices<const COLUMNS: usize>(columns: &[[f64; LONGEST]; COLUMNS]) -> [&[f64]; COLUMNS] {
+    columns.each_ref().map(|column| column.as_slice())
+}
+
+fn slices_mut<const COLUMNS: usize>(
+    columns: &mut [[f64; LONGEST]; COLUMNS],
+) -> [&mut [f64]; COLUMNS] {
+    columns.each_mut().map(|column| column.as_mut_slice())
+}
+
 /// Evaluates a kernel for every row and writes the results.
 ///
 /// `WANTED` says which results are asked for, a bit each ([`ALL`] for all of them); those that are not are left alone and
@@ -161,17 +220,8 @@ where
         along: [&'a [f64]; ALONG],
         results: [&'a mut [f64]; RESULTS],
     ) -> Result<Self, LengthError> {
-        let lengths = results.iter().map(|column| column.len()).enumerate();
-        let mut wanted = lengths.filter(|(position, _)| is_wanted(WANTED, *position));
-        let mut rows = 0;
-        if let Some((_, length)) = wanted.next() {
-            rows = length;
-            check(along.iter().map(|column| column.len()).enumerate(), rows)?;
-            let places = wanted.map(|(position, length)| (ALONG + position, length));
-            check(places, rows)?;
-        }
         Ok(Self {
-            rows,
+            rows: rows_of(WANTED, &along, &results)?,
             fixed,
             along,
             results,
@@ -181,21 +231,17 @@ where
 
     /// The same for fewer rows than a pack may have, in columns that are lengthened by their last number.
     fn run_lengthened(self, level: Level) {
-        let along = self.along.map(lengthened);
+        let along = lengthened(&self.along, 0);
         let mut results = [[0.0; LONGEST]; RESULTS];
         let lengthened = Store::<'_, K, WANTED, FIXED, ALONG, RESULTS> {
             rows: LONGEST,
             fixed: self.fixed,
-            along: along.each_ref().map(|column| column.as_slice()),
-            results: results.each_mut().map(|column| column.as_mut_slice()),
+            along: slices(&along),
+            results: slices_mut(&mut results),
             kernel: self.kernel,
         };
         level::run(level, lengthened);
-        for (position, (column, lengthened)) in self.results.into_iter().zip(&results).enumerate() {
-            if is_wanted(WANTED, position) {
-                column.copy_from_slice(&lengthened[..self.rows]);
-            }
-        }
+        shortened(WANTED, self.results, &results, self.rows);
     }
 
     /// All rows, which are as many as a pack has at least.
@@ -354,13 +400,6 @@ fn packs<S: Simd, const ALONG: usize>(
     packs
 }
 
-/// A column of fewer rows than a pack has, its last number in those after it.
-#[inline(never)]
-fn lengthened(column: &[f64]) -> [f64; LONGEST] {
-    let last = column.len().saturating_sub(1);
-    std::array::from_fn(|row| column.get(row.min(last)).copied().unwrap_or(0.0))
-}
-
 /// What takes the results of a kernel where they arise, without an output array.
 pub trait Consumer<const RESULTS: usize> {
     /// What it keeps while it runs, in packs.
@@ -428,24 +467,19 @@ where
 
     #[inline(always)]
     fn run<S: Simd>(self, simd: S) -> C::Output {
-        let fixed = splats(simd, self.fixed);
         let length = Pack::<S>::LENGTH;
         let whole = self.rows - self.rows % length;
         let mut rest = [[0.0; LONGEST]; ALONG];
         if whole < self.rows {
-            rest = self.along.map(|column| lengthened(&column[whole..]));
+            rest = lengthened(&self.along, whole);
         }
         let packs_of_rest = (self.rows - whole).min(1) * length;
         // Whole packs, then the last one; evaluated at one place only, as in `Store`.
         let parts = [
             (self.along, whole, 0, length),
-            (
-                rest.each_ref().map(|column| column.as_slice()),
-                packs_of_rest,
-                whole,
-                self.rows - whole,
-            ),
+            (slices(&rest), packs_of_rest, whole, self.rows - whole),
         ];
+        let fixed = splats(simd, self.fixed);
         let mut lanes = self.consumer.begin(simd);
         for (mut along, rows, first, here) in parts {
             for column in 0..ALONG {
