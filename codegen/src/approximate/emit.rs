@@ -18,7 +18,8 @@ impl PiecewisePolynomial {
     /// `summary` is the first line of its documentation; interval, pieces, degree, tolerance and
     /// measured error follow. The function counts breakpoints, takes one row of a table and
     /// applies Horner's rule: no branch, no panic, and no `mul_add`, which without the
-    /// instruction is a slow call.
+    /// instruction is a slow call. Tables are constants, not statics: whichever part of a crate
+    /// the function is compiled into sees its numbers.
     pub fn emit(&self, name: &Ident, summary: &str) -> TokenStream {
         let breakpoints = self.breakpoints();
         let inner = &breakpoints[1..breakpoints.len() - 1];
@@ -49,7 +50,7 @@ impl PiecewisePolynomial {
             #[inline]
             fn #name(x: f64) -> f64 {
                 /// Per piece: its middle, 2 / its width, and the coefficients of t⁰, t¹, ….
-                static PIECES: [[f64; #row_length]; #piece_count] = [#(#rows),*];
+                const PIECES: &[[f64; #row_length]; #piece_count] = &[#(#rows),*];
                 #lookup
                 let [center, scale, #(#names),*] = PIECES[piece];
                 let t = (x - center) * scale;
@@ -129,10 +130,10 @@ impl PiecewisePolynomial {
         let first = falling.next();
         quote! {
             /// Where the second and each further piece begins.
-            static BEGINS: [f64; #begin_count] = [#(#begins),*];
+            const BEGINS: &[f64; #begin_count] = &[#(#begins),*];
             /// Of all pieces: their middles, 2 / their widths, and the coefficients of t⁰, t¹, ….
-            static LISTS: [[f64; #list_length]; #list_count] = [#(#lists),*];
-            let pieces = x.pieces(&BEGINS);
+            const LISTS: &[[f64; #list_length]; #list_count] = &[#(#lists),*];
+            let pieces = x.pieces(BEGINS);
             let t = (x - pieces.choose(&LISTS[0])) * pieces.choose(&LISTS[1]);
             let value = pieces.choose(&LISTS[#first]);
             #(let value = value * t + pieces.choose(&LISTS[#falling]);)*
@@ -204,7 +205,7 @@ fn lookup(inner: &[f64]) -> TokenStream {
     // The count is never more than `last`; the minimum spares the check of the index.
     quote! {
         /// Where the second and each further piece begins.
-        static BREAKPOINTS: [f64; #last] = [#(#breakpoints),*];
+        const BREAKPOINTS: &[f64; #last] = &[#(#breakpoints),*];
         let begun = BREAKPOINTS.iter().map(|&breakpoint| usize::from(x >= breakpoint));
         let piece = begun.sum::<usize>().min(#last);
     }
