@@ -9,8 +9,8 @@
 //!   multiplications, divisions and roots in the order in which they are written, nothing of it is contracted to a fused
 //!   multiplication, and sines and cosines are this crate's own ([`Pack::sin`], [`Pack::cos`]). Within
 //!   [`Pack::sqrt_by_multiplication`] multiplications are fused, and what it gives is rounded as any other root.
-//! - The instructions are those of the crate `fearless_simd`, whose tokens prove that the machine has them. `unsafe` is the
-//!   store past the caches and nothing else.
+//! - The instructions are those of the crate `fearless_simd`, whose tokens prove that the machine has them. `unsafe` are the
+//!   lines of a column and the store to one past the caches, and nothing else.
 
 extern crate self as lanes;
 
