@@ -1,6 +1,5 @@
-//! Every closed form of the paper, each written once, as plain Rust under the generator.
-//!
-//! E1 to E13 are the [corrections](crate::corrections) to the printed text.
+//! Every closed form of the paper, each written once, as plain Rust under the generator. E1 to E13 are the
+//! [corrections](crate::corrections) to the printed text.
 
 mod terms;
 
@@ -372,7 +371,8 @@ mod formulas {
     }
 
     /// Frequency equation, Eq. (22) term by term (E7): zero at the frequencies $\omega$, $2\Omega - \omega$ of the motion.
-    #[generate(value, gradient(omega, speed), hessian(omega, speed), columns)]
+    #[rustfmt::skip]
+    #[generate(value, gradient(omega, speed), hessian(omega, speed), columns, stage(speed))]
     #[specialise(phi_on_sir, omega = speed, generate(value, gradient(speed)))]
     pub fn phi(omega: f64, speed: f64, c: &Coefficients) -> f64 {
         let omega_bar = 2.0 * speed - omega;

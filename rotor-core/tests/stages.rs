@@ -6,7 +6,7 @@ use proptest::prelude::*;
 use rotor_core::equations::both_widths::{
     Columns, along_beta_and_gamma_and_delta, along_crack_angle, along_disk_asymmetry, columns,
 };
-use rotor_core::equations::{Coefficients, cir_width, sir_width};
+use rotor_core::equations::{Coefficients, cir_width, phi, sir_width};
 use rotor_core::rotor::{Rotor, RotorParameters};
 
 const POINTS: usize = 37;
@@ -106,6 +106,36 @@ proptest! {
                 ..c
             }
         );
+    }
+}
+
+/// The frequency equation along the speed, as a chart of its zeros over speeds wants it.
+#[test]
+fn along_the_speed_the_frequency_equation_has_its_numbers() {
+    use rotor_core::equations::phi::along_speed::{Along, FIXED, Points, TABLES, fixed};
+    let c = Rotor::default().coefficients().unwrap();
+    let speeds = along(0.0, 2.5);
+    for omega in [0.3, 0.9, 1.7] {
+        let expected = speeds.iter().map(|speed| phi(omega, *speed, &c));
+        let expected: Vec<f64> = expected.collect();
+        let largest = expected
+            .iter()
+            .fold(0.0, |largest, value| f64::max(largest, value.abs()));
+        for level in Level::available() {
+            let mut tables = [(); TABLES].map(|()| vec![0.0; POINTS]);
+            let slices = tables.each_mut().map(|table| &mut table[..]);
+            store::<Along, ALL, 0, 1, TABLES>(level, &[], [&speeds], slices).unwrap();
+            let mut found = vec![0.0; POINTS];
+            let tables = tables.each_ref().map(|table| &table[..]);
+            let fixed: [f64; FIXED] = fixed(omega, 0.0, &c);
+            store::<Points, ALL, FIXED, TABLES, 1>(level, &fixed, tables, [&mut found]).unwrap();
+            for (found, expected) in found.iter().zip(&expected) {
+                assert!(
+                    (found - expected).abs() <= 1e-13 * largest,
+                    "{found} {expected}"
+                );
+            }
+        }
     }
 }
 

@@ -9,7 +9,7 @@
 #[inline]
 fn example_fit(x: f64) -> f64 {
     /// Per piece: its middle, 2 / its width, and the coefficients of t⁰, t¹, ….
-    static PIECES: [[f64; 6]; 3] = [
+    const PIECES: &[[f64; 6]; 3] = &[
         [
             0.125,
             8.0,
@@ -22,7 +22,7 @@ fn example_fit(x: f64) -> f64 {
         [0.8, 3.333333333333333, -1.0, 0.25, 0.02040816326530612, 3.5],
     ];
     /// Where the second and each further piece begins.
-    static BREAKPOINTS: [f64; 2] = [0.25, 0.5];
+    const BREAKPOINTS: &[f64; 2] = &[0.25, 0.5];
     let begun = BREAKPOINTS.iter().map(|&breakpoint| usize::from(x >= breakpoint));
     let piece = begun.sum::<usize>().min(2);
     let [center, scale, a0, a1, a2, a3] = PIECES[piece];
@@ -43,13 +43,13 @@ fn example_fit(x: f64) -> f64 {
 #[inline]
 fn example_slope(x: f64) -> f64 {
     /// Per piece: its middle, 2 / its width, and the coefficients of t⁰, t¹, ….
-    static PIECES: [[f64; 5]; 3] = [
+    const PIECES: &[[f64; 5]; 3] = &[
         [0.125, 8.0, -2.6666666666666665, 1.9753086241975307e-16, -0.0],
         [0.375, 8.0, 8e22, -8e-323, 16.799999999999997],
         [0.8, 3.333333333333333, 0.8333333333333333, 0.13605442176870747, 35.0],
     ];
     /// Where the second and each further piece begins.
-    static BREAKPOINTS: [f64; 2] = [0.25, 0.5];
+    const BREAKPOINTS: &[f64; 2] = &[0.25, 0.5];
     let begun = BREAKPOINTS.iter().map(|&breakpoint| usize::from(x >= breakpoint));
     let piece = begun.sum::<usize>().min(2);
     let [center, scale, a0, a1, a2] = PIECES[piece];
@@ -69,7 +69,7 @@ fn example_slope(x: f64) -> f64 {
 #[inline]
 fn example_line(x: f64) -> f64 {
     /// Per piece: its middle, 2 / its width, and the coefficients of t⁰, t¹, ….
-    static PIECES: [[f64; 4]; 1] = [[0.5, 2.0, 1.0, 0.5]];
+    const PIECES: &[[f64; 4]; 1] = &[[0.5, 2.0, 1.0, 0.5]];
     let piece = 0;
     let [center, scale, a0, a1] = PIECES[piece];
     let t = (x - center) * scale;
