@@ -81,19 +81,8 @@ impl From<Extremes> for Summary {
 }
 
 impl Summary {
-    /// Those of what a kernel gives along columns of one length.
+    /// Those of what a kernel gives along columns of one length; none where their lengths differ.
     pub(crate) fn along<K, const FIXED: usize, const ALONG: usize, const RESULTS: usize>(
-        wanted: &Wanted,
-        fixed: &[f64; FIXED],
-        along: [&[f64]; ALONG],
-    ) -> Option<[Self; RESULTS]>
-    where
-        K: Kernel<FIXED, ALONG, RESULTS>,
-    {
-        Self::on_level::<K, FIXED, ALONG, RESULTS>(Level::best(), wanted, fixed, along)
-    }
-
-    fn on_level<K, const FIXED: usize, const ALONG: usize, const RESULTS: usize>(
         level: Level,
         wanted: &Wanted,
         fixed: &[f64; FIXED],
@@ -312,7 +301,7 @@ mod tests {
                 .map(|row| f64::from(row * 5 % 9) / 2.0 - 2.0)
                 .collect();
             for level in Level::available() {
-                let found = Summary::on_level::<Squares, 0, 1, 2>(level, &wanted, &[], [&values]);
+                let found = Summary::along::<Squares, 0, 1, 2>(level, &wanted, &[], [&values]);
                 let found = found.unwrap();
                 let squares: Vec<f64> = values.iter().map(|value| value * value).collect();
                 for (column, found) in [&values, &squares].into_iter().zip(found) {

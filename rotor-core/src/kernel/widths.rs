@@ -328,7 +328,7 @@ impl LastStage for &Wanted {
     where
         P: Kernel<FIXED, TABLES, 2>,
     {
-        Summary::along::<P, FIXED, TABLES, 2>(self, fixed, columns_of(tables))
+        Summary::along::<P, FIXED, TABLES, 2>(Level::best(), self, fixed, columns_of(tables))
     }
 }
 
