@@ -12,6 +12,7 @@ use std::ops::Range;
 use fearless_simd::Simd;
 use thiserror::Error;
 
+use crate::copies::Copies;
 use crate::level::{self, Body, Level};
 use crate::pack::Pack;
 use crate::stream::{LINE, Stream};
@@ -366,9 +367,15 @@ where
     #[inline(always)]
     fn run<S: Simd>(self, simd: S) -> Result<(), LengthError> {
         let stream = Stream::begin(simd);
+        let mut copies: Option<Copies<ALONG>> = None;
         for (fixed, results) in self.lines {
             let mut line =
                 Store::<'_, K, WANTED, FIXED, ALONG, RESULTS>::new(&fixed, self.along, results)?;
+            if let Some(place) = (0..RESULTS).find(|place| is_wanted(WANTED, *place)) {
+                let results = &*line.results[place];
+                let copies = copies.get_or_insert_with(|| Copies::of(&self.along, results));
+                line.along = copies.columns(results);
+            }
             let written = line.write_lines(simd, &stream);
             line.write_around(simd, written);
         }

@@ -14,6 +14,7 @@
 
 extern crate self as lanes;
 
+mod copies;
 mod kernel;
 mod level;
 mod pack;
