@@ -11,8 +11,9 @@ use rotor_core::equations::both_widths_squared::along_crack_angle as squares_alo
 use rotor_core::equations::{Coefficients, both_widths, widths_support_arm};
 use rotor_core::quantity::Quantity;
 use rotor_core::rotor::INPUTS;
-use rotor_core::table::{self, Column, TableError};
+use rotor_core::table::{self, TableError};
 
+use crate::column::Column;
 use crate::inputs::{self, BLOCK, ROTOR, STREAM};
 
 /// A case that could not be prepared or run.
@@ -137,9 +138,9 @@ pub struct Sizes {
 pub struct Bench {
     /// The sizes.
     pub sizes: Sizes,
-    columns: Vec<Vec<f64>>,
-    physical: Vec<Vec<f64>>,
-    results: Vec<Vec<f64>>,
+    columns: Vec<Column>,
+    physical: Vec<Column>,
+    results: Vec<Column>,
 }
 
 impl Bench {
@@ -154,7 +155,7 @@ impl Bench {
     }
 
     /// The results of the last run, a column each.
-    pub fn results(&self) -> &[Vec<f64>] {
+    pub fn results(&self) -> &[Column] {
         &self.results
     }
 
@@ -163,7 +164,7 @@ impl Bench {
         if self.results.len() != columns
             || self.results.first().is_none_or(|first| first.len() != rows)
         {
-            self.results = vec![vec![0.0; rows]; columns];
+            self.results = (0..columns).map(|_| Column::zeros(rows)).collect();
         }
     }
 }
@@ -198,13 +199,13 @@ fn columns_error(error: impl std::fmt::Display) -> CaseError {
 }
 
 /// The rows `from..to` of the dimensionless columns.
-fn stretch(columns: &[Vec<f64>], from: usize, to: usize) -> [&[f64]; 8] {
+fn stretch(columns: &[Column], from: usize, to: usize) -> [&[f64]; 8] {
     std::array::from_fn(|column| &columns[column][from..to])
 }
 
 /// One block, so many times.
 fn repeat_block(
-    columns: &[Vec<f64>],
+    columns: &[Column],
     from: usize,
     results: [&mut [f64]; 2],
     repeats: usize,
@@ -234,9 +235,9 @@ fn widths_stream(bench: &mut Bench) -> Outcome {
 }
 
 /// The two halves of `widths_two_threads`: each a block of inputs and its results.
-fn halves(bench: &mut Bench) -> (&[Vec<f64>], Vec<[&mut [f64]; 2]>) {
+fn halves(bench: &mut Bench) -> (&[Column], Vec<[&mut [f64]; 2]>) {
     bench.shaped(4, BLOCK);
-    let mut results = bench.results.iter_mut().map(Vec::as_mut_slice);
+    let mut results = bench.results.iter_mut().map(|result| &mut **result);
     let mut halves = Vec::new();
     while let (Some(sir), Some(cir)) = (results.next(), results.next()) {
         halves.push([sir, cir]);
@@ -281,7 +282,7 @@ fn coefficients(depths: &[f64]) -> Result<Vec<Coefficients>, CaseError> {
     let column = INPUTS
         .iter()
         .find(|input| input.name == "crack_depth_ratio")
-        .map(|input| Column {
+        .map(|input| table::Column {
             input,
             values: depths,
         });
@@ -304,12 +305,12 @@ fn coefficients(depths: &[f64]) -> Result<Vec<Coefficients>, CaseError> {
 }
 
 /// What the angles alone decide, a list for each of their tables.
-fn tables<A, const TABLES: usize>(angles: &[f64]) -> Result<[Vec<f64>; TABLES], CaseError>
+fn tables<A, const TABLES: usize>(angles: &[f64]) -> Result<[Column; TABLES], CaseError>
 where
     A: Kernel<0, 1, TABLES>,
 {
-    let mut tables = [(); TABLES].map(|()| vec![0.0; angles.len()]);
-    let slices = tables.each_mut().map(Vec::as_mut_slice);
+    let mut tables = [(); TABLES].map(|()| Column::zeros(angles.len()));
+    let slices = tables.each_mut().map(|table| &mut **table);
     store::<A, ALL, 0, 1, TABLES>(Level::best(), &[], [angles], slices).map_err(columns_error)?;
     Ok(tables)
 }
@@ -328,7 +329,7 @@ fn grid_sigma_phi(bench: &mut Bench) -> Outcome {
         .iter()
         .map(fixed)
         .zip(results.map(|(sir, cir)| [sir, cir]));
-    let tables = tables.each_ref().map(Vec::as_slice);
+    let tables = tables.each_ref().map(|table| &**table);
     stream::<Points, ALL, FIXED, TABLES, 2>(Level::best(), tables, lines).map_err(columns_error)
 }
 
@@ -404,14 +405,15 @@ fn greatest_widths(bench: &mut Bench, max_rows: usize) -> Outcome {
             }
         }
     }
-    for result in bench.results.iter_mut().flatten() {
+    for result in bench.results.iter_mut().flat_map(|column| &mut **column) {
         *result = result.sqrt();
     }
     Ok(())
 }
 
-/// The twelve inputs of rotors around the paper's, within 5 % of each, in the order of [`rotor_core::rotor::INPUTS`].
-fn physical_columns() -> Vec<Vec<f64>> {
+/// The twelve inputs of rotors around the paper's, within 5 % of each, in the order of [`rotor_core::rotor::INPUTS`]; then
+/// the factor of a half-open edge for every row.
+fn physical_columns() -> Vec<Column> {
     let p = ROTOR;
     let around = [
         p.disk_mass,
@@ -427,16 +429,16 @@ fn physical_columns() -> Vec<Vec<f64>> {
         p.crack_position_ratio,
         0.8,
     ];
-    let column =
-        |(place, value): (usize, f64)| inputs::spread(place, 0.95 * value, 1.05 * value, BLOCK);
-    around.into_iter().enumerate().map(column).collect()
+    let column = |(place, value): (usize, f64)| {
+        inputs::spread(place, 0.95 * value, 1.05 * value, BLOCK)[..].into()
+    };
+    let edge_factor = [32.0; BLOCK][..].into();
+    let varied = around.into_iter().enumerate().map(column);
+    varied.chain([edge_factor]).collect()
 }
 
-/// The physical columns as the generated form takes them, with the factor of a half-open edge for every row.
-fn physical_inputs<'a>(
-    columns: &'a [Vec<f64>],
-    edge_factor: &'a [f64],
-) -> widths_support_arm::Columns<'a> {
+/// The physical columns as the generated form takes them.
+fn physical_inputs(columns: &[Column]) -> widths_support_arm::Columns<'_> {
     widths_support_arm::Columns {
         p_disk_mass: &columns[0],
         p_disk_diametral_inertia: &columns[1],
@@ -450,14 +452,13 @@ fn physical_inputs<'a>(
         p_crack_depth_ratio: &columns[9],
         p_crack_position_ratio: &columns[10],
         p_crack_angle: &columns[11],
-        edge_factor,
+        edge_factor: &columns[12],
     }
 }
 
 fn physical_values(bench: &mut Bench) -> Outcome {
     bench.shaped(2, BLOCK);
-    let edge_factor = vec![32.0; BLOCK];
-    let inputs = physical_inputs(&bench.physical, &edge_factor);
+    let inputs = physical_inputs(&bench.physical);
     let [sir, cir] = &mut bench.results[..] else {
         return Ok(());
     };
@@ -466,9 +467,12 @@ fn physical_values(bench: &mut Bench) -> Outcome {
 
 fn physical_gradients(bench: &mut Bench) -> Outcome {
     bench.shaped(26, BLOCK);
-    let edge_factor = vec![32.0; BLOCK];
-    let inputs = physical_inputs(&bench.physical, &edge_factor);
-    let results: Vec<&mut [f64]> = bench.results.iter_mut().map(Vec::as_mut_slice).collect();
+    let inputs = physical_inputs(&bench.physical);
+    let results: Vec<&mut [f64]> = bench
+        .results
+        .iter_mut()
+        .map(|result| &mut **result)
+        .collect();
     let Ok(results) = results.try_into() else {
         return Ok(());
     };

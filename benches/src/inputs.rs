@@ -4,6 +4,8 @@ use std::f64::consts::PI;
 
 use rotor_core::rotor::RotorParameters;
 
+use crate::column::Column;
+
 /// Points that are read from memory: too many for any cache.
 pub const STREAM: usize = 1 << 20;
 
@@ -32,9 +34,9 @@ pub fn spread(column: usize, lower: f64, upper: f64, count: usize) -> Vec<f64> {
 }
 
 /// All dimensionless columns.
-pub fn columns(count: usize) -> Vec<Vec<f64>> {
+pub fn columns(count: usize) -> Vec<Column> {
     let column = |(place, (_, lower, upper)): (usize, &(&str, f64, f64))| {
-        spread(place, *lower, *upper, count)
+        spread(place, *lower, *upper, count)[..].into()
     };
     COLUMNS.iter().enumerate().map(column).collect()
 }

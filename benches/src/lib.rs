@@ -6,9 +6,11 @@
 //! | [`python`] | formulas from Rust to Python, so that every tool reads the same text |
 //! | [`export`] | what the Python side of `peers/` reads |
 //! | [`inputs`] | the numbers that every tool computes from |
+//! | [`column`] | columns of numbers as they are timed |
 //! | [`cases`] | what is timed, a function for each |
 
 pub mod cases;
+pub mod column;
 pub mod corpus;
 pub mod export;
 pub mod inputs;

@@ -83,8 +83,15 @@ fn counts(root: &Path) -> Result<Vec<(&'static str, u64)>, String> {
         .collect()
 }
 
-/// The instructions of one run of a case, without what prepares it.
+/// The instructions of one run of a case whose memory is there, without what prepares it: those of two runs but for the
+/// first's.
 fn count(program: &Path, case: &str) -> Result<u64, String> {
+    let [one, two] = [1, 2].map(|runs| collected(program, case, runs));
+    Ok(two?.saturating_sub(one?))
+}
+
+/// The instructions of so many runs.
+fn collected(program: &Path, case: &str, runs: usize) -> Result<u64, String> {
     let failed = |error: std::io::Error| {
         format!("valgrind cannot be run: {error}; it is a package of that name on most systems")
     };
@@ -101,7 +108,7 @@ fn count(program: &Path, case: &str) -> Result<u64, String> {
     let mut child = command.spawn().map_err(failed)?;
     if let Some(mut input) = child.stdin.take() {
         // Where the program has ended already, its own message says why.
-        let _ = writeln!(input, "run {case}");
+        let _ = input.write_all(format!("run {case}\n").repeat(runs).as_bytes());
     }
     let output = child.wait_with_output().map_err(failed)?;
     let said = String::from_utf8_lossy(&output.stderr);

@@ -78,10 +78,10 @@ fn case(name: &str) -> Result<&'static Case, String> {
     known.ok_or_else(|| format!("there is no case `{name}`"))
 }
 
-fn write(file: &Path, columns: &[Vec<f64>]) -> std::io::Result<()> {
+fn write(file: &Path, columns: &[impl AsRef<[f64]>]) -> std::io::Result<()> {
     let bytes: Vec<u8> = columns
         .iter()
-        .flatten()
+        .flat_map(AsRef::as_ref)
         .flat_map(|number| number.to_le_bytes())
         .collect();
     fs::write(file, bytes)
