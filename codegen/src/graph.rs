@@ -16,6 +16,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use rustc_hash::FxHashMap;
+use smallvec::SmallVec;
 
 use crate::approximate::piecewise::PiecewisePolynomial;
 pub use rational::{Rational, ratio, whole};
@@ -83,6 +84,15 @@ pub enum NamedConstant {
     Ln10,
 }
 
+/// The terms of a sum. Two, and the other operands of most nodes, have no memory of their own.
+pub type Terms = SmallVec<[(ExprId, Rational); 2]>;
+
+/// The factors of a product.
+pub type Factors = SmallVec<[(ExprId, i32); 4]>;
+
+/// What a function is of.
+pub type Operands = SmallVec<[ExprId; 4]>;
+
 /// One node of the graph.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Node {
@@ -93,11 +103,11 @@ pub enum Node {
     /// A number that the caller gives.
     Symbol(SymbolId),
     /// Σ coefficient · operand, by ascending handle.
-    Sum(Vec<(ExprId, Rational)>),
+    Sum(Terms),
     /// Π operand^exponent, by ascending handle.
-    Product(Vec<(ExprId, i32)>),
+    Product(Factors),
     /// An elementary function of its operands.
-    Apply(Function, Vec<ExprId>),
+    Apply(Function, Operands),
     /// The derivative of the given order of a tabulated function, a piecewise polynomial made when the crate is built.
     Tabulated {
         /// Position in [`Graph::tables`].
@@ -413,21 +423,21 @@ impl Graph {
             Node::Constant(constant) => target.constant(*constant),
             Node::Symbol(symbol) => target.symbol_expression(*symbol),
             Node::Sum(terms) => {
-                let terms: Vec<_> = terms
+                let terms: Terms = terms
                     .iter()
                     .map(|(operand, q)| (image(operand), q.clone()))
                     .collect();
                 target.sum(terms)
             }
             Node::Product(factors) => {
-                let factors: Vec<_> = factors
+                let factors: Factors = factors
                     .iter()
                     .map(|(operand, n)| (image(operand), *n))
                     .collect();
                 target.product(factors)
             }
             Node::Apply(function, operands) => {
-                let operands = operands.iter().map(image).collect();
+                let operands: Operands = operands.iter().map(image).collect();
                 target.apply(*function, operands)
             }
             Node::Tabulated {

@@ -85,12 +85,12 @@ pub fn simplify(graph: &mut Graph, id: ExprId) -> ExprId {
 
 /// An elementary function of one operand, simplified.
 pub fn applied(graph: &mut Graph, function: Function, operand: ExprId) -> ExprId {
-    let id = graph.apply(function, vec![operand]);
+    let id = graph.apply(function, [operand].as_slice());
     simplify(graph, id)
 }
 
 /// A product, simplified.
-pub fn product(graph: &mut Graph, factors: Vec<(ExprId, i32)>) -> ExprId {
+pub fn product(graph: &mut Graph, factors: impl IntoIterator<Item = (ExprId, i32)>) -> ExprId {
     let id = graph.product(factors);
     simplify(graph, id)
 }

@@ -112,7 +112,7 @@ fn a_shared_sum_adds_to_what_there_was_of_it() {
     extract(&mut circuit, &[Step::Sums]);
     assert_eq!(
         *circuit.operation(circuit.outputs[1]),
-        Operation::Sum(vec![(circuit.outputs[0], whole(3))])
+        Operation::Sum([(circuit.outputs[0], whole(3))].into_iter().collect())
     );
 }
 

@@ -7,6 +7,7 @@ use std::hash::BuildHasher;
 use std::sync::Arc;
 
 use rustc_hash::{FxBuildHasher, FxHashMap};
+use smallvec::{SmallVec, smallvec};
 
 use crate::cost::Cost;
 use crate::graph::{Function, Rational, SymbolId, rational};
@@ -22,6 +23,15 @@ impl Net {
     }
 }
 
+/// The terms of a sum. Two, and the other operands of most operations, have no memory of their own.
+pub type Terms = SmallVec<[(Net, Rational); 2]>;
+
+/// The factors of a product.
+pub type Factors = SmallVec<[(Net, u32); 4]>;
+
+/// What a function is of.
+pub type Operands = SmallVec<[Net; 4]>;
+
 /// One operation.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Operation {
@@ -30,13 +40,13 @@ pub enum Operation {
     /// A number that the caller gives.
     Symbol(SymbolId),
     /// Σ coefficient · operand, by ascending handle.
-    Sum(Vec<(Net, Rational)>),
+    Sum(Terms),
     /// Π operand^power, by ascending handle.
-    Product(Vec<(Net, u32)>),
+    Product(Factors),
     /// Numerator over denominator.
     Quotient(Net, Net),
     /// An elementary function.
-    Apply(Function, Vec<Net>),
+    Apply(Function, Operands),
     /// A derivative of some order of a tabulated function.
     Tabulated {
         /// Position among the graph's tables.
@@ -217,7 +227,7 @@ impl Circuit {
     }
 
     /// The same with multiples among the operands as they are.
-    fn closed_sum(&mut self, terms: Vec<(Net, Rational)>) -> Net {
+    fn closed_sum(&mut self, terms: Terms) -> Net {
         let is_zero = |net: Net| self.as_number(net).is_some_and(Rational::is_zero);
         let mut terms = terms;
         terms.retain(|(operand, _)| !is_zero(*operand));
@@ -235,7 +245,7 @@ impl Circuit {
 
     /// A product in its simplest form.
     pub fn product(&mut self, factors: impl IntoIterator<Item = (Net, u32)>) -> Net {
-        let mut collected: Vec<(Net, u32)> = Vec::new();
+        let mut collected = Factors::new();
         for (operand, power) in factors {
             match self.as_number(operand) {
                 Some(number) if power > 0 && number.is_zero() => return operand,
@@ -272,7 +282,7 @@ impl Circuit {
         let definitions = self.outputs.split_off(results);
         for (symbol, definition) in symbols.iter().zip(definitions) {
             if let Some(&net) = self.index.get(&hash_of(&Operation::Symbol(*symbol))) {
-                self.replace(net, Operation::Sum(vec![(definition, Rational::ONE)]));
+                self.replace(net, Operation::Sum(smallvec![(definition, Rational::ONE)]));
             }
         }
         self.tidy();
@@ -326,24 +336,23 @@ impl Circuit {
         }
         let mut swept = Self::with_capacity(self.operations.len());
         let mut images: Vec<Net> = Vec::with_capacity(self.operations.len());
-        for net in self.nets() {
-            if uses[net.index()] == 0 {
-                // Never looked at: an operation that is needed has no operand that is not.
-                images.push(Net(0));
+        for (operation, uses) in self.operations.into_iter().zip(&uses) {
+            images.push(Net(swept.operations.len() as u32));
+            // Its image is never looked at: an operation that is needed has no operand that is not.
+            if *uses == 0 {
                 continue;
             }
-            let image = |operand: &Net| images[operand.index()];
-            let swept_net = swept.push(self.operation(net).clone().with_operands(image));
-            if let Some(name) = self.names.get(&net) {
-                swept.names.entry(swept_net).or_insert_with(|| name.clone());
-            }
-            images.push(swept_net);
+            // No two become one: equal operations were one before.
+            let operation = operation.with_operands(|operand| images[operand.index()]);
+            let net = Net(swept.operations.len() as u32);
+            swept.index.insert(hash_of(&operation), net);
+            swept.operations.push(operation);
         }
-        swept.outputs = self
-            .outputs
-            .iter()
-            .map(|output| images[output.index()])
-            .collect();
+        let image = |net: &Net| images[net.index()];
+        let names = self.names.into_iter();
+        let needed = names.filter(|(net, _)| uses[net.index()] > 0);
+        swept.names = needed.map(|(net, name)| (image(&net), name)).collect();
+        swept.outputs = self.outputs.iter().map(image).collect();
         swept
     }
 
@@ -405,7 +414,7 @@ impl Circuit {
         let image = |operand: &Net| images[operand.index()].unwrap_or(Net(0));
         match self.operation(net) {
             Operation::Sum(terms) => {
-                let mut opened = Vec::new();
+                let mut opened = Terms::new();
                 for (operand, coefficient) in terms {
                     match tidied.operation(image(operand)) {
                         // A multiple that several sums share is an operation of its own, and its negative is free; a
@@ -423,7 +432,7 @@ impl Circuit {
                 tidied.closed_sum(opened)
             }
             Operation::Product(factors) => {
-                let mut opened = Vec::new();
+                let mut opened = Factors::new();
                 for (operand, power) in factors {
                     match tidied.operation(image(operand)) {
                         // A product that only this one uses, and once, is no operation of its own; of its powers it is.

@@ -1,5 +1,7 @@
 //! Coefficients as factors: `2·(a·b)` as the product of 2, a and b, so that `2·a` is shared as any other product is.
 
+use smallvec::smallvec;
+
 use super::circuit::{Circuit, Net, Operation};
 use crate::graph::Rational;
 
@@ -24,7 +26,7 @@ pub fn open(circuit: &mut Circuit) {
         let operation = match circuit.operation(sum) {
             Operation::Sum(terms) => Operation::Sum(terms.clone()),
             // A lone positive multiple has become the product itself.
-            _ => Operation::Sum(vec![(sum, Rational::ONE)]),
+            _ => Operation::Sum(smallvec![(sum, Rational::ONE)]),
         };
         circuit.replace(net, operation);
     }
@@ -57,7 +59,7 @@ pub fn distribute(circuit: &mut Circuit) {
         let sum = circuit.sum(distributed);
         let operation = match circuit.operation(sum) {
             Operation::Sum(terms) => Operation::Sum(terms.clone()),
-            _ => Operation::Sum(vec![(sum, Rational::ONE)]),
+            _ => Operation::Sum(smallvec![(sum, Rational::ONE)]),
         };
         circuit.replace(net, operation);
     }
@@ -89,7 +91,7 @@ fn multiples_of(circuit: &Circuit) -> Vec<usize> {
 fn product(circuit: &mut Circuit, operand: Net, size: Rational, open: bool) -> Net {
     let mut factors = match circuit.operation(operand) {
         Operation::Product(factors) if open => factors.clone(),
-        _ => vec![(operand, 1)],
+        _ => smallvec![(operand, 1)],
     };
     let mut size = size;
     // A number among the factors is one with the size.

@@ -4,7 +4,9 @@
 
 use std::collections::BTreeMap;
 
-use super::circuit::{Circuit, Net, Operation};
+use smallvec::smallvec;
+
+use super::circuit::{Circuit, Net, Operation, Terms};
 use super::{coefficients, pairs, quotients, repeats};
 use crate::graph::Rational;
 
@@ -84,7 +86,7 @@ fn divide_by_lone_divisors(circuit: &mut Circuit) {
         let (coefficient, factors) = match circuit.operation(net).clone() {
             Operation::Product(factors) => (Rational::ONE, factors),
             Operation::Sum(terms) => match terms.as_slice() {
-                [(operand, coefficient)] => (coefficient.clone(), vec![(*operand, 1)]),
+                [(operand, coefficient)] => (coefficient.clone(), smallvec![(*operand, 1)]),
                 _ => {
                     divide_in_terms(circuit, net, terms, &lone_divisor);
                     continue;
@@ -116,7 +118,7 @@ fn divide_by_lone_divisors(circuit: &mut Circuit) {
 fn divide_in_terms(
     circuit: &mut Circuit,
     net: Net,
-    mut terms: Vec<(Net, Rational)>,
+    mut terms: Terms,
     lone_divisor: &impl Fn(&Circuit, Net) -> Option<Net>,
 ) {
     let mut changed = false;
@@ -140,7 +142,7 @@ fn share_multiples(circuit: &mut Circuit) {
     let mut counts: BTreeMap<(Net, Rational), usize> = BTreeMap::new();
     let multiples = |circuit: &Circuit, net: Net| match circuit.operation(net) {
         Operation::Sum(terms) => terms.clone(),
-        _ => Vec::new(),
+        _ => Terms::new(),
     };
     let is_multiple = |circuit: &Circuit, operand: Net, coefficient: &Rational| {
         !coefficient.is_unit() && circuit.as_number(operand).is_none()
@@ -177,7 +179,7 @@ fn share_multiples(circuit: &mut Circuit) {
         for (operand, coefficient) in &mut terms {
             let of_sum = shared(*operand, coefficient).filter(|_| !alone);
             if let Some(key) = of_sum {
-                *operand = circuit.push(Operation::Sum(vec![key]));
+                *operand = circuit.push(Operation::Sum(smallvec![key]));
                 *coefficient = coefficient.signum();
                 continue;
             }
@@ -190,7 +192,7 @@ fn share_multiples(circuit: &mut Circuit) {
                 Some((factor, key))
             });
             if let Some((factor, key)) = of_factor.filter(|_| uses[operand.index()] == 1) {
-                *factor = circuit.push(Operation::Sum(vec![key]));
+                *factor = circuit.push(Operation::Sum(smallvec![key]));
                 *operand = circuit.product(factors);
                 *coefficient = coefficient.signum();
             }
@@ -232,7 +234,7 @@ fn factor_sums(circuit: &mut Circuit, shared: bool) {
             .collect();
         let factored = factored(circuit, terms.clone());
         if factored != terms {
-            let terms: Vec<_> = factored
+            let terms = factored
                 .into_iter()
                 .map(|term| (product_of(circuit, &term), term.coefficient))
                 .collect();
@@ -241,7 +243,7 @@ fn factor_sums(circuit: &mut Circuit, shared: bool) {
     }
 }
 
-fn sorted(mut terms: Vec<(Net, Rational)>) -> Vec<(Net, Rational)> {
+fn sorted(mut terms: Terms) -> Terms {
     terms.sort_by_key(|(net, _)| *net);
     terms
 }
@@ -320,8 +322,8 @@ fn gather_multiples(circuit: &mut Circuit) {
         let Operation::Sum(terms) = circuit.operation(net).clone() else {
             continue;
         };
-        let mut groups: BTreeMap<Rational, Vec<(Net, Rational)>> = BTreeMap::new();
-        let mut gathered = Vec::new();
+        let mut groups: BTreeMap<Rational, Terms> = BTreeMap::new();
+        let mut gathered = Terms::new();
         for (operand, coefficient) in terms {
             if coefficient.is_unit() || circuit.as_number(operand).is_some() {
                 gathered.push((operand, coefficient));

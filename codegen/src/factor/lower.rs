@@ -6,8 +6,9 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{Pow, Signed};
 use rustc_hash::FxHashMap;
+use smallvec::smallvec;
 
-use super::circuit::{Circuit, Net, Operation};
+use super::circuit::{Circuit, Net, Operation, Terms};
 use super::constants;
 use crate::graph::{ExprId, Function, Graph, NamedConstant, Node, Rational, rational};
 use crate::parse::literal::decimal;
@@ -127,7 +128,7 @@ impl Lowering<'_> {
     }
 
     fn sum(&mut self, terms: &[(ExprId, Rational)]) -> Multiple {
-        let mut collected: Vec<(Net, Rational)> = Vec::with_capacity(terms.len());
+        let mut collected = Terms::with_capacity(terms.len());
         for (operand, coefficient) in terms {
             let (inner, net) = self.multiple(*operand);
             collected.push((net, coefficient * &inner));
@@ -237,7 +238,7 @@ impl Lowering<'_> {
             {
                 let inverse = self.circuit.push(Operation::Quotient(one, operands[0]));
                 self.circuit
-                    .push(Operation::Apply(Function::Abs, vec![inverse]))
+                    .push(Operation::Apply(Function::Abs, smallvec![inverse]))
             }
             _ => self.circuit.push(Operation::Quotient(one, net)),
         }
@@ -252,7 +253,8 @@ impl Lowering<'_> {
                 Function::Abs => {
                     return (
                         coefficient.abs(),
-                        self.circuit.push(Operation::Apply(function, vec![net])),
+                        self.circuit
+                            .push(Operation::Apply(function, smallvec![net])),
                     );
                 }
                 Function::Sqrt if constant && !coefficient.is_negative() => {

@@ -3,22 +3,25 @@
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 use std::hash::Hash;
+use std::ops::Deref;
 
 use rustc_hash::FxHashMap;
 
-use super::circuit::{Circuit, Net, Operation};
+use super::circuit::{Circuit, Factors, Net, Operation, Terms};
 use crate::graph::{Rational, rational};
 
 /// What stands at a member of an operation: the power of a factor, or the coefficient of a term.
 pub(super) trait Share: Clone {
+    /// The members of an operation of this kind.
+    type Members: Clone + Deref<Target = [(Net, Self)]>;
     /// Two members of which several operations may have a multiple.
     type Pair: Clone + Ord + Hash;
 
     /// The members of an operation of this kind.
-    fn members(operation: &Operation) -> Option<&Vec<(Net, Self)>>;
+    fn members(operation: &Operation) -> Option<&Self::Members>;
 
     /// The operation of these members.
-    fn operation(members: Vec<(Net, Self)>) -> Operation;
+    fn operation(members: Self::Members) -> Operation;
 
     /// The pairs with a changed member, and how often each is there.
     fn pairs(members: &[(Net, Self)], is_changed: impl Fn(Net) -> bool)
@@ -28,12 +31,12 @@ pub(super) trait Share: Clone {
     fn shared(circuit: &mut Circuit, pair: &Self::Pair) -> (Net, [Net; 2]);
 
     /// Replaces a pair by what it is, as often as it is there; false where it is not.
-    fn take(members: &mut Vec<(Net, Self)>, pair: &Self::Pair, shared: Net) -> bool;
+    fn take(members: &mut Self::Members, pair: &Self::Pair, shared: Net) -> bool;
 }
 
 /// Computes the pairs that several operations of a kind have once.
 pub(super) fn share<S: Share>(circuit: &mut Circuit) {
-    let mut members: FxHashMap<Net, Vec<(Net, S)>> = FxHashMap::default();
+    let mut members: FxHashMap<Net, S::Members> = FxHashMap::default();
     let mut pairs = Pairs::new();
     for net in circuit.nets() {
         if let Some(own) = S::members(circuit.operation(net)) {
@@ -145,16 +148,17 @@ fn positions<V>(members: &[(Net, V)], is_changed: impl Fn(Net) -> bool) -> Vec<(
 
 /// Factors with powers; a pair is a product of two.
 impl Share for u32 {
+    type Members = Factors;
     type Pair = (Net, Net);
 
-    fn members(operation: &Operation) -> Option<&Vec<(Net, Self)>> {
+    fn members(operation: &Operation) -> Option<&Self::Members> {
         match operation {
             Operation::Product(factors) => Some(factors),
             _ => None,
         }
     }
 
-    fn operation(members: Vec<(Net, Self)>) -> Operation {
+    fn operation(members: Self::Members) -> Operation {
         Operation::Product(members)
     }
 
@@ -177,7 +181,7 @@ impl Share for u32 {
         (circuit.product([(*a, 1), (*b, 1)]), [*a, *b])
     }
 
-    fn take(factors: &mut Vec<(Net, Self)>, (a, b): &Self::Pair, shared: Net) -> bool {
+    fn take(factors: &mut Self::Members, (a, b): &Self::Pair, shared: Net) -> bool {
         let power_of = |net: &Net| {
             let factor = factors.iter().find(|(factor, _)| factor == net);
             factor.map_or(0, |(_, power)| *power)
@@ -202,16 +206,17 @@ impl Share for u32 {
 
 /// Terms with coefficients; a pair is a sum of two, given by the ratio of the second's coefficient to the first's.
 impl Share for Rational {
+    type Members = Terms;
     type Pair = (Net, Net, Self);
 
-    fn members(operation: &Operation) -> Option<&Vec<(Net, Self)>> {
+    fn members(operation: &Operation) -> Option<&Self::Members> {
         match operation {
             Operation::Sum(terms) => Some(terms),
             _ => None,
         }
     }
 
-    fn operation(members: Vec<(Net, Self)>) -> Operation {
+    fn operation(members: Self::Members) -> Operation {
         Operation::Sum(members)
     }
 
@@ -228,7 +233,7 @@ impl Share for Rational {
         (circuit.sum(terms), [*a, *b])
     }
 
-    fn take(terms: &mut Vec<(Net, Self)>, (a, b, ratio): &Self::Pair, shared: Net) -> bool {
+    fn take(terms: &mut Self::Members, (a, b, ratio): &Self::Pair, shared: Net) -> bool {
         let coefficient_of = |net: &Net| {
             let term = terms.iter().find(|(term, _)| term == net);
             term.map(|(_, coefficient)| coefficient.clone())
@@ -239,7 +244,7 @@ impl Share for Rational {
         if second != &first * ratio {
             return false;
         }
-        terms.retain(|(term, _)| ![a, b].contains(&term));
+        terms.retain(|(term, _)| *term != *a && *term != *b);
         // The shared sum may be a term of this one already.
         terms.push((shared, first));
         rational::collect(terms);
@@ -249,6 +254,8 @@ impl Share for Rational {
 
 #[cfg(test)]
 mod tests {
+    use smallvec::smallvec;
+
     use super::*;
     use crate::graph::{Graph, ratio, whole};
 
@@ -272,13 +279,13 @@ mod tests {
         let shared = circuit.product([(a, 1), (b, 1)]);
         assert_eq!(
             circuit.operation(second),
-            &Operation::Product(vec![(c, 1), (shared, 1)])
+            &Operation::Product(smallvec![(c, 1), (shared, 1)])
         );
         let Operation::Product(factors) = circuit.operation(first) else {
             panic!("{:?}", circuit.operation(first));
         };
         // Of (a·b)³, (a·b)² is no pair of several.
-        assert_eq!(factors, &[(shared, 3)]);
+        assert_eq!(factors.as_slice(), [(shared, 3)]);
     }
 
     #[test]
@@ -295,11 +302,11 @@ mod tests {
         let shared = circuit.sum([(a, whole(1)), (b, whole(2))]);
         assert_eq!(
             circuit.operation(first),
-            &Operation::Sum(vec![(c, whole(1)), (shared, whole(1))])
+            &Operation::Sum(smallvec![(c, whole(1)), (shared, whole(1))])
         );
         assert_eq!(
             circuit.operation(second),
-            &Operation::Sum(vec![(d, whole(1)), (shared, whole(-3))])
+            &Operation::Sum(smallvec![(d, whole(1)), (shared, whole(-3))])
         );
         assert_eq!(circuit.operation(other), &before);
     }

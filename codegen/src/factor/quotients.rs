@@ -1,12 +1,13 @@
 //! Quotients made from other quotients: where `a/b` is computed, `a/(b·c)` is `(a/b)/c`, which saves a multiplication.
 
 use rustc_hash::FxHashMap;
+use smallvec::{SmallVec, smallvec};
 
 use super::circuit::{Circuit, Net, Operation};
 use crate::graph::rational;
 
 /// What an operation is a product and quotient of, with exponents, by ascending handle.
-type Factors = Vec<(Net, i64)>;
+type Factors = SmallVec<[(Net, i64); 4]>;
 
 /// Divides what is computed already instead of multiplying divisors first. The circuit is tidy.
 pub fn share(circuit: &mut Circuit) {
@@ -86,7 +87,7 @@ fn factors_of(circuit: &Circuit, net: Net, before: &[Factors]) -> Factors {
         Operation::Quotient(numerator, denominator) => {
             product(&[(of(numerator), 1), (of(denominator), -1)])
         }
-        _ => vec![(net, 1)],
+        _ => smallvec![(net, 1)],
     }
 }
 

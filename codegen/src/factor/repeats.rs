@@ -2,6 +2,7 @@
 //! though they are made of other operations, and differences of such parts that are zero.
 
 use rustc_hash::FxHashMap;
+use smallvec::smallvec;
 
 use super::circuit::{Circuit, Net, Operation};
 use super::fingerprint::{Fingerprint, Residue, drawn, is_zero, kind_of, kind_of_table, symbol_at};
@@ -39,7 +40,7 @@ pub fn merge(circuit: &mut Circuit) {
         let saved = cost > usize::from(numerator.abs() != denominator);
         if saved && numerator != 0 {
             let factor = ratio(numerator, denominator);
-            circuit.replace(net, Operation::Sum(vec![(earlier, factor)]));
+            circuit.replace(net, Operation::Sum(smallvec![(earlier, factor)]));
         }
     }
     circuit.tidy();

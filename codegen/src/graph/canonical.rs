@@ -1,6 +1,9 @@
 //! Constructors: each brings its node into the one form that [`Graph`]'s invariants name.
 
-use super::{ExprId, Function, Graph, NamedConstant, Node, Rational, SymbolId, rational, whole};
+use super::{
+    ExprId, Factors, Function, Graph, NamedConstant, Node, Operands, Rational, SymbolId, Terms,
+    rational, whole,
+};
 
 impl Graph {
     /// An exact constant.
@@ -34,7 +37,7 @@ impl Graph {
     /// Σ coefficient · operand. Equal operands are collected; a sum among the operands is opened only where that
     /// leaves no more terms than it had, as in (a + b) − b.
     pub fn sum(&mut self, terms: impl IntoIterator<Item = (ExprId, Rational)>) -> ExprId {
-        let mut closed = Vec::new();
+        let mut closed = Terms::new();
         for (operand, coefficient) in terms {
             self.open_multiple(&mut closed, operand, coefficient);
         }
@@ -42,7 +45,7 @@ impl Graph {
         let is_sum =
             |(operand, _): &(ExprId, Rational)| matches!(self.node(*operand), Node::Sum(_));
         if closed.iter().any(is_sum) {
-            let mut opened = Vec::new();
+            let mut opened = Terms::new();
             for (operand, coefficient) in &closed {
                 match self.node(*operand) {
                     Node::Sum(inner) => {
@@ -62,12 +65,7 @@ impl Graph {
     }
 
     /// Adds a term: of a number as a multiple of 1, of a multiple as one of what it is of.
-    fn open_multiple(
-        &self,
-        terms: &mut Vec<(ExprId, Rational)>,
-        operand: ExprId,
-        coefficient: Rational,
-    ) {
+    fn open_multiple(&self, terms: &mut Terms, operand: ExprId, coefficient: Rational) {
         match self.node(operand) {
             Node::Number(value) => terms.push((self.one(), value * &coefficient)),
             Node::Sum(inner) if inner.len() == 1 => {
@@ -77,7 +75,7 @@ impl Graph {
         }
     }
 
-    fn finish_sum(&mut self, terms: Vec<(ExprId, Rational)>) -> ExprId {
+    fn finish_sum(&mut self, terms: Terms) -> ExprId {
         match terms.as_slice() {
             [] => self.number(Rational::ZERO),
             [(operand, coefficient)] if *operand == self.one() => {
@@ -92,7 +90,7 @@ impl Graph {
     /// Π operand^exponent. Products among the operands are opened, rational factors gathered in front.
     pub fn product(&mut self, factors: impl IntoIterator<Item = (ExprId, i32)>) -> ExprId {
         let mut coefficient = Rational::ONE;
-        let mut powers: Vec<(ExprId, i32)> = Vec::new();
+        let mut powers = Factors::new();
         for (operand, exponent) in factors {
             self.collect_factor(&mut coefficient, &mut powers, operand, exponent);
         }
@@ -111,7 +109,7 @@ impl Graph {
     fn collect_factor(
         &mut self,
         coefficient: &mut Rational,
-        powers: &mut Vec<(ExprId, i32)>,
+        powers: &mut Factors,
         operand: ExprId,
         exponent: i32,
     ) {
@@ -135,7 +133,7 @@ impl Graph {
                 }
                 *coefficient *= &content.pow(exponent);
                 let over = |(operand, q): &(ExprId, Rational)| (*operand, q / &content);
-                let terms: Vec<_> = terms.iter().map(over).collect();
+                let terms: Terms = terms.iter().map(over).collect();
                 let primitive = self.sum(terms);
                 self.collect_factor(coefficient, powers, primitive, exponent);
             }
@@ -179,13 +177,13 @@ impl Graph {
     }
 
     /// An elementary function of its operands, as it stands; see `rewrite` for what is known of them.
-    pub fn apply(&mut self, function: Function, operands: Vec<ExprId>) -> ExprId {
-        self.intern(Node::Apply(function, operands))
+    pub fn apply(&mut self, function: Function, operands: impl Into<Operands>) -> ExprId {
+        self.intern(Node::Apply(function, operands.into()))
     }
 
     /// The square root.
     pub fn sqrt(&mut self, operand: ExprId) -> ExprId {
-        self.apply(Function::Sqrt, vec![operand])
+        self.apply(Function::Sqrt, [operand].as_slice())
     }
 
     /// A derivative of a tabulated function.

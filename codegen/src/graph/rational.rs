@@ -3,6 +3,7 @@
 use std::cmp::Ordering;
 use std::fmt;
 use std::hash::{Hash, Hasher};
+use std::num::NonZeroU64;
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub};
 use std::sync::Arc;
 
@@ -10,6 +11,7 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{Pow, Signed, ToPrimitive};
+use smallvec::{Array, SmallVec};
 
 /// An exact rational constant.
 #[derive(Clone, PartialEq, Eq, Hash)]
@@ -19,12 +21,15 @@ pub struct Rational(Parts);
 /// have equal parts.
 #[derive(Clone, PartialEq, Eq)]
 enum Parts {
-    /// Both magnitudes are at most [`i64::MAX`].
-    Small(i64, i64),
+    /// Both magnitudes are at most [`i64::MAX`]. As the denominator is not zero, a number is no longer than its two parts.
+    Small(i64, NonZeroU64),
     Large(Arc<BigRational>),
 }
 
 use Parts::{Large, Small};
+
+/// The denominator of a whole number.
+const WHOLE: NonZeroU64 = NonZeroU64::MIN;
 
 impl Hash for Parts {
     fn hash<H: Hasher>(&self, state: &mut H) {
@@ -48,10 +53,10 @@ pub fn ratio(numerator: i64, denominator: i64) -> Rational {
 
 impl Rational {
     /// The number 0.
-    pub const ZERO: Self = Self(Small(0, 1));
+    pub const ZERO: Self = Self(Small(0, WHOLE));
 
     /// The number 1.
-    pub const ONE: Self = Self(Small(1, 1));
+    pub const ONE: Self = Self(Small(1, WHOLE));
 
     /// The quotient of two whole numbers; the denominator is not zero.
     pub fn new(numerator: BigInt, denominator: BigInt) -> Self {
@@ -65,15 +70,21 @@ impl Rational {
 
     fn of_big(value: BigRational) -> Self {
         match (to_small(value.numer()), to_small(value.denom())) {
-            (Some(numerator), Some(denominator)) => Self(Small(numerator, denominator)),
+            (Some(numerator), Some(denominator)) => Self::of_small(numerator, denominator),
             _ => Self(Large(Arc::new(value))),
         }
+    }
+
+    /// A fraction in lowest terms whose parts are small, with a denominator above 0.
+    fn of_small(numerator: i64, denominator: i64) -> Self {
+        let denominator = NonZeroU64::new(denominator.unsigned_abs());
+        Self(Small(numerator, denominator.unwrap_or(WHOLE)))
     }
 
     /// A whole number below 2¹²⁷ in magnitude.
     fn of_whole(value: i128) -> Self {
         match i64::try_from(value) {
-            Ok(small) if small != i64::MIN => Self(Small(small, 1)),
+            Ok(small) if small != i64::MIN => Self(Small(small, WHOLE)),
             _ => Self::from_integer(value.into()),
         }
     }
@@ -95,7 +106,7 @@ impl Rational {
         };
         match (i64::try_from(numerator), i64::try_from(denominator)) {
             (Ok(numerator), Ok(denominator)) if numerator != i64::MIN => {
-                Self(Small(numerator, denominator))
+                Self::of_small(numerator, denominator)
             }
             _ => {
                 let value = BigRational::new_raw(numerator.into(), denominator.into());
@@ -107,7 +118,7 @@ impl Rational {
     fn to_big(&self) -> BigRational {
         match &self.0 {
             Small(numerator, denominator) => {
-                BigRational::new_raw((*numerator).into(), (*denominator).into())
+                BigRational::new_raw((*numerator).into(), denominator.get().into())
             }
             Large(value) => BigRational::clone(value),
         }
@@ -124,7 +135,7 @@ impl Rational {
     /// The number, where it is whole and small.
     pub fn to_i64(&self) -> Option<i64> {
         match &self.0 {
-            Small(numerator, 1) => Some(*numerator),
+            Small(numerator, WHOLE) => Some(*numerator),
             _ => None,
         }
     }
@@ -132,7 +143,7 @@ impl Rational {
     /// The denominator of the fraction in lowest terms, above 0.
     pub fn denominator(&self) -> BigInt {
         match &self.0 {
-            Small(_, denominator) => (*denominator).into(),
+            Small(_, denominator) => denominator.get().into(),
             Large(value) => value.denom().clone(),
         }
     }
@@ -149,13 +160,13 @@ impl Rational {
 
     /// Whether it is 1 or −1.
     pub fn is_unit(&self) -> bool {
-        matches!(self.0, Small(1 | -1, 1))
+        matches!(self.0, Small(1 | -1, WHOLE))
     }
 
     /// Whether it is a whole number.
     pub fn is_integer(&self) -> bool {
         match &self.0 {
-            Small(_, denominator) => *denominator == 1,
+            Small(_, denominator) => *denominator == WHOLE,
             Large(value) => value.is_integer(),
         }
     }
@@ -204,8 +215,10 @@ impl Rational {
     pub fn to_f64(&self) -> Option<f64> {
         match &self.0 {
             // Below 2⁵³ every whole number is one of double precision.
-            Small(numerator, denominator) if (numerator.abs() | denominator) >> 53 == 0 => {
-                Some(*numerator as f64 / *denominator as f64)
+            Small(numerator, denominator)
+                if (numerator.unsigned_abs() | denominator.get()) >> 53 == 0 =>
+            {
+                Some(*numerator as f64 / denominator.get() as f64)
             }
             _ => self.to_big().to_f64(),
         }
@@ -214,7 +227,7 @@ impl Rational {
     /// The number, if it is a whole one of 32 bits.
     pub fn to_i32(&self) -> Option<i32> {
         match &self.0 {
-            Small(numerator, 1) => (*numerator).try_into().ok(),
+            Small(numerator, WHOLE) => (*numerator).try_into().ok(),
             _ => None,
         }
     }
@@ -247,7 +260,7 @@ impl Ord for Rational {
         match (&self.0, &other.0) {
             (Small(a, b), Small(c, d)) if b == d => a.cmp(c),
             (Small(a, b), Small(c, d)) => {
-                (i128::from(*a) * i128::from(*d)).cmp(&(i128::from(*c) * i128::from(*b)))
+                (i128::from(*a) * i128::from(d.get())).cmp(&(i128::from(*c) * i128::from(b.get())))
             }
             _ => self.to_big().cmp(&other.to_big()),
         }
@@ -284,9 +297,12 @@ impl Add<&Rational> for &Rational {
 
     fn add(self, other: &Rational) -> Rational {
         match (&self.0, &other.0) {
-            (Small(a, 1), Small(c, 1)) => Rational::of_whole(i128::from(*a) + i128::from(*c)),
+            (Small(a, WHOLE), Small(c, WHOLE)) => {
+                Rational::of_whole(i128::from(*a) + i128::from(*c))
+            }
             (Small(a, b), Small(c, d)) => {
-                let [a, b, c, d] = [a, b, c, d].map(|part| i128::from(*part));
+                let [a, c] = [a, c].map(|part| i128::from(*part));
+                let [b, d] = [b, d].map(|part| i128::from(part.get()));
                 if b == d {
                     Rational::reduced(a + c, b)
                 } else {
@@ -303,11 +319,14 @@ impl Mul<&Rational> for &Rational {
 
     fn mul(self, other: &Rational) -> Rational {
         match (&self.0, &other.0) {
-            (Small(1, 1), _) => other.clone(),
-            (_, Small(1, 1)) => self.clone(),
-            (Small(a, 1), Small(c, 1)) => Rational::of_whole(i128::from(*a) * i128::from(*c)),
+            (Small(1, WHOLE), _) => other.clone(),
+            (_, Small(1, WHOLE)) => self.clone(),
+            (Small(a, WHOLE), Small(c, WHOLE)) => {
+                Rational::of_whole(i128::from(*a) * i128::from(*c))
+            }
             (Small(a, b), Small(c, d)) => {
-                let [a, b, c, d] = [a, b, c, d].map(|part| i128::from(*part));
+                let [a, c] = [a, c].map(|part| i128::from(*part));
+                let [b, d] = [b, d].map(|part| i128::from(part.get()));
                 Rational::reduced(a * c, b * d)
             }
             _ => Rational::of_big(self.to_big() * other.to_big()),
@@ -329,10 +348,11 @@ impl Div<&Rational> for &Rational {
     /// The divisor is not zero.
     fn div(self, other: &Rational) -> Rational {
         match (&self.0, &other.0) {
-            (_, Small(1, 1)) => self.clone(),
-            (_, Small(-1, 1)) => -self,
+            (_, Small(1, WHOLE)) => self.clone(),
+            (_, Small(-1, WHOLE)) => -self,
             (Small(a, b), Small(c, d)) if *c != 0 => {
-                let [a, b, c, d] = [a, b, c, d].map(|part| i128::from(*part));
+                let [a, c] = [a, c].map(|part| i128::from(*part));
+                let [b, d] = [b, d].map(|part| i128::from(part.get()));
                 Rational::reduced(a * d, b * c)
             }
             _ => Rational::of_big(self.to_big() / other.to_big()),
@@ -385,9 +405,12 @@ impl MulAssign<&Rational> for Rational {
 
 /// Makes one term of those with the same operand, or one power of those with the same factor, by ascending operand, and
 /// drops those that come to nothing.
-pub(crate) fn collect<K: Ord, N: Default + PartialEq + for<'a> AddAssign<&'a N>>(
-    terms: &mut Vec<(K, N)>,
-) {
+pub(crate) fn collect<A, K, N>(terms: &mut SmallVec<A>)
+where
+    A: Array<Item = (K, N)>,
+    K: Ord,
+    N: Default + PartialEq + for<'a> AddAssign<&'a N>,
+{
     terms.sort_by(|left, right| left.0.cmp(&right.0));
     terms.dedup_by(|later, first| {
         let same = later.0 == first.0;
@@ -453,14 +476,20 @@ mod tests {
     }
 
     #[test]
+    fn a_small_number_is_no_longer_than_its_parts() {
+        assert_eq!(size_of::<Rational>(), 2 * size_of::<i64>());
+    }
+
+    #[test]
     fn terms_of_the_same_operand_are_one() {
-        let mut terms = vec![
+        let terms = [
             (2, whole(3)),
             (1, whole(1)),
             (2, ratio(1, 2)),
             (1, whole(-1)),
         ];
+        let mut terms = SmallVec::from(terms);
         collect(&mut terms);
-        assert_eq!(terms, [(2, ratio(7, 2))]);
+        assert_eq!(terms[..], [(2, ratio(7, 2))]);
     }
 }

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 
 use super::rules::parts;
 use super::{Form, changed, product, simplify};
-use crate::graph::{ExprId, Graph, Node};
+use crate::graph::{ExprId, Factors, Graph, Node};
 
 /// Rebuilds the roots with the common factors of every sum taken out; None where no sum has any.
 pub fn take_out(graph: &Graph, roots: &[ExprId]) -> Option<Form> {
@@ -30,7 +30,7 @@ fn factored(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
     let (first, rest) = powers
         .split_first()
         .filter(|(_, rest)| !rest.is_empty() && proper > 1)?;
-    let mut common: Vec<(ExprId, i32)> = Vec::new();
+    let mut common = Factors::new();
     for (factor, exponent) in first {
         let shared = rest.iter().fold(*exponent, |shared, factors| {
             let other = factors.get(factor).copied().unwrap_or(0);
@@ -50,7 +50,7 @@ fn factored(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
     let mut divided = Vec::new();
     for (term, coefficient) in terms {
         let inverse = common.iter().map(|(factor, exponent)| (*factor, -exponent));
-        let factors = inverse.chain([(term, 1)]).collect();
+        let factors: Factors = inverse.chain([(term, 1)]).collect();
         divided.push((product(graph, factors), coefficient));
     }
     let inner = graph.sum(divided);

@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::rules::{operand_of, parts};
 use super::{applied, product, simplify};
-use crate::graph::{ExprId, Function, Graph, Node, Rational, ratio};
+use crate::graph::{ExprId, Factors, Function, Graph, Node, Rational, ratio};
 
 /// A power beyond this is left a call: its error grows with the exponent.
 const LARGEST_POWER: i32 = 8;
@@ -54,7 +54,7 @@ fn exponentials(graph: &Graph, roots: &[ExprId]) -> BTreeMap<ExprId, ExprId> {
 fn powers(graph: &Graph, roots: &[ExprId]) -> BTreeMap<ExprId, i32> {
     // By the argument without its rational factor: that factor, and the exponential.
     type Group = Vec<(Rational, ExprId)>;
-    let mut groups: BTreeMap<Vec<(ExprId, i32)>, Group> = BTreeMap::new();
+    let mut groups: BTreeMap<Factors, Group> = BTreeMap::new();
     for (exponential, argument) in exponentials(graph, roots) {
         let (coefficient, factors) = parts(graph, argument);
         groups

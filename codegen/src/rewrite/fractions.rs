@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::rules::{operand_of, parts, scaled};
 use super::{applied, product, simplify};
 use crate::factor::fingerprint::{Residue, near};
-use crate::graph::{ExprId, Function, Graph, Node, Rational, ratio};
+use crate::graph::{ExprId, Factors, Function, Graph, Node, Rational, ratio};
 
 /// √(a/b) is √(ab)/|b|: one division for it and for what else divides by b.
 pub(super) fn root_of_quotient(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
@@ -53,7 +53,7 @@ pub(super) fn inverse_root(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
 const MOST_DENOMINATORS: i32 = 3;
 
 /// The least common denominator of a sum's terms, and the sum times it; None where no term is a fraction.
-fn common_denominator(graph: &mut Graph, sum: ExprId) -> Option<(Vec<(ExprId, i32)>, ExprId)> {
+fn common_denominator(graph: &mut Graph, sum: ExprId) -> Option<(Factors, ExprId)> {
     let Node::Sum(terms) = graph.node(sum).clone() else {
         return None;
     };
@@ -70,7 +70,7 @@ fn common_denominator(graph: &mut Graph, sum: ExprId) -> Option<(Vec<(ExprId, i3
     if denominator.is_empty() || terms.len() < 2 || degree > MOST_DENOMINATORS {
         return None;
     }
-    let denominator: Vec<(ExprId, i32)> = denominator.into_iter().collect();
+    let denominator: Factors = denominator.into_iter().collect();
     let mut numerators = Vec::new();
     for (term, coefficient) in terms {
         let mut factors = denominator.clone();

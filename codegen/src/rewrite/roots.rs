@@ -6,7 +6,7 @@ use std::collections::{HashMap, HashSet};
 use super::fractions::root_of_quotient;
 use super::rules::{exact_root, parts};
 use super::{Form, applied, changed, product, simplify};
-use crate::graph::{ExprId, Function, Graph, Node, Rational};
+use crate::graph::{ExprId, Factors, Function, Graph, Node, Rational};
 
 /// Rebuilds the roots of the graph so that square roots which differ by a square of known factors are shared.
 pub fn share(graph: Graph, roots: Vec<ExprId>) -> Form {
@@ -82,7 +82,7 @@ fn differing_by_squares(graph: &Graph, roots: &[ExprId]) -> HashSet<ExprId> {
 }
 
 /// The first root of each kind: its rational factor, and the odd factors with the signs of their exponents.
-type First = (Rational, Vec<(ExprId, i32)>);
+type First = (Rational, Factors);
 
 /// √radicand as a multiple of the first root that differs from it by a square: of √(x/y), √(y/x) is the multiple |y/x|, so
 /// that x·y, which may leave the range of numbers, is not computed. None where the two rational factors do not differ by the

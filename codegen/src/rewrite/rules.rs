@@ -14,7 +14,9 @@ use super::signs::{
     power_of_sign, root_bounds_operand, sign_by_size, sign_of_known_sign, sign_of_product,
 };
 use super::{Rule, applied, product};
-use crate::graph::{ExprId, Function, Graph, Node, Rational, whole};
+use smallvec::smallvec;
+
+use crate::graph::{ExprId, Factors, Function, Graph, Node, Rational, whole};
 
 /// All rules, in the order in which they are tried.
 #[rustfmt::skip]
@@ -71,15 +73,15 @@ pub const TRIED: &[Rule] = &[
 ];
 
 /// A rational multiple of a product, taken apart.
-pub(crate) fn parts(graph: &Graph, id: ExprId) -> (Rational, Vec<(ExprId, i32)>) {
+pub(crate) fn parts(graph: &Graph, id: ExprId) -> (Rational, Factors) {
     match graph.node(id) {
-        Node::Number(value) => (value.clone(), Vec::new()),
+        Node::Number(value) => (value.clone(), Factors::new()),
         Node::Sum(terms) if terms.len() == 1 => {
             let (coefficient, factors) = parts(graph, terms[0].0);
             (&terms[0].1 * coefficient, factors)
         }
         Node::Product(factors) => (Rational::ONE, factors.clone()),
-        _ => (Rational::ONE, vec![(id, 1)]),
+        _ => (Rational::ONE, smallvec![(id, 1)]),
     }
 }
 
@@ -94,7 +96,7 @@ pub(super) fn operand_of(graph: &Graph, id: ExprId, function: Function) -> Optio
 pub(super) fn scaled(
     graph: &mut Graph,
     coefficient: Rational,
-    factors: Vec<(ExprId, i32)>,
+    factors: impl IntoIterator<Item = (ExprId, i32)>,
 ) -> ExprId {
     let id = product(graph, factors);
     graph.scale(id, coefficient)

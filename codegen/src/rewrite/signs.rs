@@ -8,7 +8,7 @@ use num_traits::Signed;
 
 use super::rules::{operand_of, parts, scaled};
 use super::{applied, product};
-use crate::graph::{ExprId, Function, Graph, Node};
+use crate::graph::{ExprId, Factors, Function, Graph, Node};
 
 /// The square of a sign is 1.
 pub(super) fn power_of_sign(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
@@ -143,7 +143,7 @@ pub(super) fn sign_of_product(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
             unknown.push((*factor, exponent.signum()));
         }
     }
-    if coefficient.is_one() && unknown == factors || unknown.is_empty() {
+    if coefficient.is_one() && *unknown == *factors || unknown.is_empty() {
         return None;
     }
     let left = product(graph, unknown);
@@ -174,7 +174,7 @@ pub(super) fn root_bounds_operand(graph: &mut Graph, id: ExprId) -> Option<ExprI
     let bounded: Vec<ExprId> = roots
         .filter_map(|radicand| not_negative_under_root(graph, radicand))
         .collect();
-    let mut changed = Vec::new();
+    let mut changed = Factors::new();
     for (factor, exponent) in &factors {
         let of =
             |function| operand_of(graph, *factor, function).filter(|inner| bounded.contains(inner));

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::{Stage, reachable, stages};
-use crate::factor::circuit::{Circuit, Net, Operation};
+use crate::factor::circuit::{Circuit, Factors, Net, Operation, Terms};
 use crate::graph::{Graph, SymbolId};
 
 /// Three circuits in the place of one: what stands still, what runs along the inner parameters, and what is left for the
@@ -128,7 +128,7 @@ pub(super) fn on_images(operation: &Operation, image: impl Fn(Net) -> Net) -> Op
     let image = |net: &Net| image(*net);
     match operation {
         Operation::Sum(terms) => {
-            let mut terms: Vec<_> = terms
+            let mut terms: Terms = terms
                 .iter()
                 .map(|(operand, coefficient)| (image(operand), coefficient.clone()))
                 .collect();
@@ -136,7 +136,7 @@ pub(super) fn on_images(operation: &Operation, image: impl Fn(Net) -> Net) -> Op
             Operation::Sum(terms)
         }
         Operation::Product(factors) => {
-            let mut factors: Vec<_> = factors
+            let mut factors: Factors = factors
                 .iter()
                 .map(|(operand, power)| (image(operand), *power))
                 .collect();

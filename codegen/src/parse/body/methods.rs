@@ -6,7 +6,7 @@ use syn::{Expr, Lit, UnOp};
 
 use super::{Reader, Scope};
 use crate::diagnostics::nearest;
-use crate::graph::{ExprId, Function as Elementary, Node, Rational};
+use crate::graph::{ExprId, Function as Elementary, Node, Operands, Rational};
 use crate::parse::value::Value;
 
 /// The most binary digits of an exact constant's numerator and denominator, ten times those of any `f64`.
@@ -134,7 +134,7 @@ impl<'m> Reader<'m> {
             ("signum", _) => Elementary::Sign,
             _ => Elementary::Abs,
         };
-        let operands = std::iter::once(receiver)
+        let operands: Operands = std::iter::once(receiver)
             .chain(arguments.iter().copied())
             .collect();
         self.graph.apply(function, operands)
