@@ -23,7 +23,7 @@ use crate::factor::circuit::Circuit;
 use crate::factor::extract::{ORDERS, Step};
 use crate::factor::rounding::Reference;
 use crate::graph::{ExprId, Graph, SymbolId};
-use crate::parallel::on_all_cores;
+use crate::parallel::{both, on_all_cores};
 use crate::parse::body::held::Definitions;
 use crate::{differentiate, rewrite};
 
@@ -115,9 +115,13 @@ pub fn minimise(graph: &Graph, outputs: &Outputs) -> Circuit {
 pub fn minimise_with(graph: &Graph, outputs: &Outputs, held: Option<&Held>) -> Circuit {
     let all = outputs.all();
     let tables = graph;
-    let reference = Reference::of(graph, &all);
-    let mut merged = vec![unified(graph, &all)];
-    merged.extend(forward(graph, outputs).map(|(graph, all)| unified(&graph, &all)));
+    let (reference, merged): (_, Vec<_>) = both(
+        || Reference::of(graph, &all),
+        || {
+            let forward = forward(graph, outputs).map(|(graph, all)| unified(&graph, &all));
+            [unified(graph, &all)].into_iter().chain(forward).collect()
+        },
+    );
     let size = graph.reachable(&all).len();
     let held = held.filter(|held| held.graph.reachable(&held.all()).len() <= MOST_OF_HELD * size);
     let mut held = held.map(held_forms).unwrap_or_default();
@@ -173,9 +177,9 @@ const FIRST_ORDERS: [usize; 2] = [1, 2];
 
 /// The size beyond which a circuit is large, the order that then shows it, and the others that are tried: for large
 /// circuits one of these has been the best.
-const LARGE: usize = 700;
-const FIRST_OF_LARGE: [usize; 1] = [1];
-const REST_OF_LARGE: [usize; 3] = [4, 7, 8];
+const LARGE: usize = 240;
+const FIRST_OF_LARGE: [usize; 1] = [4];
+const REST_OF_LARGE: [usize; 3] = [1, 7, 8];
 
 impl Search {
     fn new(forms: Vec<Circuit>) -> Self {

@@ -85,6 +85,15 @@ impl Number for f64 {
 }
 
 /// One node's value from the values of its operands. Integrals have none here.
+/// A term of a sum; most are of the coefficient 1.
+fn multiple<T: Number>(coefficient: &Rational, value: T) -> T {
+    if coefficient.is_one() {
+        value
+    } else {
+        T::rational(coefficient).multiply(&value)
+    }
+}
+
 fn node_value<T: Number>(
     graph: &Graph,
     id: ExprId,
@@ -98,7 +107,7 @@ fn node_value<T: Number>(
         Node::Sum(terms) => {
             let mut terms = terms
                 .iter()
-                .map(|(operand, coefficient)| T::rational(coefficient).multiply(&value(*operand)));
+                .map(|(operand, coefficient)| multiple(coefficient, value(*operand)));
             let first = terms.next()?;
             terms.fold(first, |sum, term| sum.add(&term))
         }
@@ -396,8 +405,9 @@ fn bound_variables(graph: &Graph, root: ExprId) -> BTreeSet<SymbolId> {
 /// of its graph.
 pub fn evaluate_circuit<N: Number>(graph: &Graph, circuit: &Circuit, symbols: &[N]) -> Vec<N> {
     let nothing = || N::rational(&Rational::ZERO).divide(&N::rational(&Rational::ZERO));
-    let mut values: Vec<N> = Vec::new();
-    for net in circuit.nets() {
+    let nets = circuit.nets();
+    let mut values: Vec<N> = Vec::with_capacity(nets.size_hint().0);
+    for net in nets {
         let value = |net: &Net| values[net.index()].clone();
         let value = match circuit.operation(net) {
             Operation::Number(number) => N::rational(number),
@@ -406,7 +416,7 @@ pub fn evaluate_circuit<N: Number>(graph: &Graph, circuit: &Circuit, symbols: &[
             }
             Operation::Sum(terms) => terms
                 .iter()
-                .map(|(operand, coefficient)| N::rational(coefficient).multiply(&value(operand)))
+                .map(|(operand, coefficient)| multiple(coefficient, value(operand)))
                 .reduce(|sum, term| sum.add(&term))
                 .unwrap_or_else(|| N::rational(&Rational::ZERO)),
             Operation::Product(factors) => factors

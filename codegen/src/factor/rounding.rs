@@ -7,6 +7,7 @@
 //! taken before a cheaper one that does not, unless it costs much more.
 
 use std::ops::Range;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::circuit::Circuit;
 use crate::graph::{
@@ -188,21 +189,24 @@ impl Reference {
         self.admits_among(POINTS as usize..self.points.len(), graph, circuit)
     }
 
-    fn admits_among(&self, points: Range<usize>, graph: &Graph, circuit: &Circuit) -> bool {
-        let outputs = &self.outputs[points.clone()];
-        self.points[points]
-            .iter()
-            .zip(outputs)
-            .all(|(point, expected)| {
-                let found = interpret::evaluate_circuit(graph, circuit, point);
-                let known = expected
-                    .iter()
-                    .zip(&found)
-                    .filter(|(known, _)| known.has_digits());
-                known.into_iter().all(|(known, found)| {
-                    found.is_finite() && found.error <= ALLOWED * (known.error + known.value.abs())
-                })
-            })
+    fn admits_among(&self, places: Range<usize>, graph: &Graph, circuit: &Circuit) -> bool {
+        let is_admitted = AtomicBool::new(true);
+        on_all_cores(&places.collect::<Vec<_>>(), |place| {
+            // One point decides.
+            if is_admitted.load(Ordering::Relaxed) && !self.admits_at(*place, graph, circuit) {
+                is_admitted.store(false, Ordering::Relaxed);
+            }
+        });
+        is_admitted.into_inner()
+    }
+
+    fn admits_at(&self, place: usize, graph: &Graph, circuit: &Circuit) -> bool {
+        let found = interpret::evaluate_circuit(graph, circuit, &self.points[place]);
+        let known = self.outputs[place].iter().zip(&found);
+        let mut known = known.filter(|(known, _)| known.has_digits());
+        known.all(|(known, found)| {
+            found.is_finite() && found.error <= ALLOWED * (known.error + known.value.abs())
+        })
     }
 }
 
