@@ -14,7 +14,7 @@ use rotor_core::rotor::INPUTS;
 use rotor_core::table::{self, TableError};
 
 use crate::column::Column;
-use crate::inputs::{self, BLOCK, ROTOR, STREAM};
+use crate::inputs::{self, BLOCK, PHYSICAL, ROTOR, STREAM};
 
 /// A case that could not be prepared or run.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -111,13 +111,13 @@ pub const CASES: [Case; 10] = [
     Case {
         name: "physical_values",
         about: "both widths from the physical rotor, columns",
-        points: |_| BLOCK,
+        points: |_| PHYSICAL,
         run: physical_values,
     },
     Case {
         name: "physical_gradients",
         about: "both widths with their gradients by all 12 inputs, columns",
-        points: |_| BLOCK,
+        points: |_| PHYSICAL,
         run: physical_gradients,
     },
 ];
@@ -430,9 +430,9 @@ fn physical_columns() -> Vec<Column> {
         0.8,
     ];
     let column = |(place, value): (usize, f64)| {
-        inputs::spread(place, 0.95 * value, 1.05 * value, BLOCK)[..].into()
+        inputs::spread(place, 0.95 * value, 1.05 * value, PHYSICAL)[..].into()
     };
-    let edge_factor = [32.0; BLOCK][..].into();
+    let edge_factor = [32.0; PHYSICAL][..].into();
     let varied = around.into_iter().enumerate().map(column);
     varied.chain([edge_factor]).collect()
 }
@@ -457,7 +457,7 @@ fn physical_inputs(columns: &[Column]) -> widths_support_arm::Columns<'_> {
 }
 
 fn physical_values(bench: &mut Bench) -> Outcome {
-    bench.shaped(2, BLOCK);
+    bench.shaped(2, PHYSICAL);
     let inputs = physical_inputs(&bench.physical);
     let [sir, cir] = &mut bench.results[..] else {
         return Ok(());
@@ -466,7 +466,7 @@ fn physical_values(bench: &mut Bench) -> Outcome {
 }
 
 fn physical_gradients(bench: &mut Bench) -> Outcome {
-    bench.shaped(26, BLOCK);
+    bench.shaped(26, PHYSICAL);
     let inputs = physical_inputs(&bench.physical);
     let results: Vec<&mut [f64]> = bench
         .results

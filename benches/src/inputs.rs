@@ -12,6 +12,9 @@ pub const STREAM: usize = 1 << 20;
 /// Points that stay in the nearest cache.
 pub const BLOCK: usize = 4096;
 
+/// Points of which the 39 columns of the physical inputs, both widths and their gradients stay in the cache of one core.
+pub const PHYSICAL: usize = 1024;
+
 /// The dimensionless columns in the order of [`rotor_core::equations::Coefficients`], with the span of each: what rotors
 /// like the paper's have.
 pub const COLUMNS: [(&str, f64, f64); 8] = [

@@ -105,7 +105,8 @@ pub struct Form<'a> {
     pub documentation: &'a [String],
 }
 
-/// A form over columns of the symbols around a circuit.
+/// A form over columns of the symbols around a circuit. It is put into the crates that call it, for every level of
+/// instructions, and into no other: a form that nobody calls takes no time to build.
 pub fn function(
     graph: &Graph,
     circuit: &Circuit,
@@ -125,6 +126,7 @@ pub fn function(
         #kernel
 
         #(#[doc = #documentation])*
+        #[inline]
         pub fn #name(inputs: &Columns<'_>, results: [&mut [f64]; #count]) -> Result<(), ColumnLengthError> {
             let columns = [#(#columns,)* #(#outputs),*];
             let along = [#(inputs.#fields),*];
