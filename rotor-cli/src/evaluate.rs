@@ -27,9 +27,16 @@ use inputs::Inputs;
 use results::{Encoding, Results};
 use source::{Piece, Read, Source};
 
-/// The names of all results.
+/// The names of all results that a rotor alone has.
 pub(crate) fn result_names() -> Vec<&'static str> {
-    Quantity::ALL.into_iter().map(Quantity::name).collect()
+    of_rotor().map(Quantity::name).collect()
+}
+
+/// Those, and not what is at a speed.
+fn of_rotor() -> impl Iterator<Item = Quantity> {
+    Quantity::ALL
+        .into_iter()
+        .filter(|quantity| !quantity.needs_speed())
 }
 
 /// Evaluates the table.
@@ -39,6 +46,12 @@ pub(crate) fn result_names() -> Vec<&'static str> {
 /// Where the table, a name of a result, the base rotor or, without `--keep-going`, a row cannot be used.
 pub(crate) fn run(arguments: &EvaluateArguments) -> Result<Outcome, Failure> {
     let quantities = quantities("--quantities", &arguments.quantities)?;
+    if let Some(quantity) = quantities.iter().find(|quantity| quantity.needs_speed()) {
+        return Err(Failure::input(format!(
+            "--quantities: {quantity} is at a speed, and a table of rotors has none; `rotor scan --vary speed=0.5:2:301 -q \
+             {quantity}` has"
+        )));
+    }
     if arguments.table.as_os_str() == "-"
         && arguments
             .base
@@ -86,7 +99,7 @@ pub(crate) fn run(arguments: &EvaluateArguments) -> Result<Outcome, Failure> {
     })
 }
 
-/// The results asked for by an option, each once, in the order asked for.
+/// The results asked for by an option, each once, in the order asked for; `all` are those that a rotor alone has.
 ///
 /// # Errors
 ///
@@ -100,7 +113,7 @@ pub(crate) fn quantities(option: &str, names: &[String]) -> Result<Vec<Quantity>
                     "{option}: a name is empty; give names of results with commas between, or `all`"
                 )));
             }
-            name if name.eq_ignore_ascii_case("all") => Quantity::ALL.to_vec(),
+            name if name.eq_ignore_ascii_case("all") => of_rotor().collect(),
             name => vec![
                 name.to_ascii_lowercase()
                     .parse::<Quantity>()

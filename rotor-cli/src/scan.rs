@@ -14,7 +14,9 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use rotor_core::rotor::{INPUTS, Rotor};
-use rotor_core::scan::{Cancel, Control, Counts, Plan, Report, Sampling, Scan, ScanError, Stopped};
+use rotor_core::scan::{
+    Cancel, Control, Counts, Plan, Report, Sampling, Scan, ScanError, Stopped, Variable,
+};
 
 use crate::command_line::ScanArguments;
 use crate::failure::{Failure, Outcome};
@@ -26,12 +28,13 @@ use progress::Progress;
 /// The state of reductions is kept so often.
 const BETWEEN_STATES: Duration = Duration::from_secs(2);
 
-/// The names of the inputs on the command line.
+/// The names of what can be varied on the command line.
 pub(crate) fn input_names() -> Vec<String> {
-    let dotted = INPUTS
-        .iter()
-        .map(|input| format!("{}.{}", input.section, input.key));
-    dotted.collect()
+    let inputs = INPUTS.iter().map(Variable::from);
+    inputs
+        .chain([Variable::Speed])
+        .map(Variable::dotted_name)
+        .collect()
 }
 
 /// A number of points, as 10000 or 1e4.
@@ -155,7 +158,7 @@ impl Running<'_> {
         );
         request.push_str(&format!("rotor {:?}\n", plan.base()));
         for axis in plan.space().axes() {
-            let names: Vec<_> = axis.inputs().map(|input| input.name).collect();
+            let names: Vec<_> = axis.variables().map(Variable::name).collect();
             request.push_str(&format!("axis {} {}\n", names.join("+"), axis.describe()));
         }
         for quantity in plan.quantities() {

@@ -50,9 +50,9 @@ pub(crate) fn run(name: Option<&str>, form: Form) -> Result<String, Failure> {
 
 /// The formula that gives a result which is not a formula itself; it is said on stderr.
 fn formula_of(result: Quantity) -> Result<&'static str, Failure> {
-    use Quantity::{CirExactLower, CirExactUpper, SirExactLower, SirExactUpper};
+    use Quantity::{CirExactLower, CirExactUpper, GrowthRate, SirExactLower, SirExactUpper};
     let formula = match result {
-        SirExactLower | SirExactUpper | CirExactLower | CirExactUpper => {
+        SirExactLower | SirExactUpper | CirExactLower | CirExactUpper | GrowthRate => {
             return Err(Failure::input(format!(
                 "`{result}` is no closed form: it is computed from the roots of the frequency equation, see `rotor \
                  show phi`"

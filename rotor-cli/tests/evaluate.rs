@@ -593,3 +593,12 @@ fn a_bad_row_of_a_file_of_columns_is_told_by_its_number() {
         run.stderr
     );
 }
+
+#[test]
+fn what_is_at_a_speed_is_refused_and_not_among_all() {
+    let table = "crack.angle\n0.5\n";
+    let told = refused(table, &["-q", "sir_width,growth_rate"]);
+    assert!(told.contains("growth_rate is at a speed"), "{told}");
+    let all = evaluate(table, &["-q", "all"]);
+    assert!(!all.stdout.contains("growth_rate"), "{}", all.stdout);
+}

@@ -280,6 +280,46 @@ const WRONG_AXES: [(&str, &str); 26] = [
 ];
 
 #[test]
+fn the_speed_is_an_axis_for_what_is_at_a_speed() {
+    let run =
+        scan("--vary crack.depth_ratio=0.1,0.2 --vary speed=0.6,0.74 -q growth_rate,sir_width");
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    let table = cells(&run.stdout);
+    assert_eq!(
+        table[0],
+        ["crack_depth_ratio", "speed", "growth_rate", "sir_width"]
+    );
+    let number = |row: usize, column: usize| table[row][column].parse::<f64>().unwrap();
+    // The first speed is below the region, the other in it; the width is that of the rotor at both.
+    for row in [1, 3] {
+        assert_eq!((number(row, 2), number(row + 1, 2) > 0.01), (0.0, true));
+        assert_eq!(number(row, 3), number(row + 1, 3));
+    }
+    // Where the motion grows most of these speeds.
+    let run = scan("--vary speed=0.6:1.6:101 -q growth_rate --reduce argmax");
+    let place = run.stdout.split_whitespace().last();
+    assert_eq!(place, Some("0.740000"), "{}", run.stdout);
+    // `all` is what the rotor has at any speed.
+    let all = scan("--vary speed=0.74 -q all,growth_rate");
+    assert!(all.stdout.starts_with("speed,c11,"), "{}", all.stdout);
+    assert!(
+        !scan("--vary crack.angle=0 -q all")
+            .stdout
+            .contains("growth_rate")
+    );
+    let unsaid = refused("--vary crack.angle=0 -q growth_rate");
+    assert!(
+        unsaid.contains("growth_rate is at a speed, which is not varied"),
+        "{unsaid}"
+    );
+    assert!(
+        refused("--vary speed=0:2:3 -q growth_rate")
+            .contains("the axis of speed is 0; it must be > 0")
+    );
+    assert!(refused("--vary sped=1 -q growth_rate").contains("did you mean speed?"));
+}
+
+#[test]
 fn a_wrong_axis_says_what_is_wrong_and_what_would_be_right() {
     for (axis, message) in WRONG_AXES {
         let found = refused(&format!("--vary {axis} --quantity beta -o out.csv"));

@@ -1,6 +1,6 @@
 //! The one place where many rotors are evaluated: the points of a scan, the rows of a table.
 //!
-//! A kernel belongs to the inputs that vary within a block and a list of quantities. [`Kernel::enter`] is called once for
+//! A kernel belongs to what varies within a block and a list of quantities. [`Kernel::enter`] is called once for
 //! each block, for what depends on its values alone; [`Kernel::evaluate`] once for each row, which is the block with
 //! other values of the remaining inputs.
 //!
@@ -14,9 +14,10 @@ mod widths;
 use std::ops::RangeInclusive;
 
 use crate::extremes::{Extremes, is_size};
-use crate::quantity::{self, Quantity};
+use crate::quantity::{self, Quantity, Reason, Shared};
 use crate::rotor::{INPUTS, NumericInput, Rotor, RotorParameters};
 use crate::summary::{Summary, Wanted};
+use crate::variable::Variable;
 
 use closed_forms::{ClosedForms, Points, is_closed};
 use widths::{Tables, Widths};
@@ -33,8 +34,10 @@ struct Block {
     first: u64,
     /// When it was entered last.
     entered: u64,
-    /// The values, one list for each input.
+    /// The values of the inputs, one list for each.
     values: Vec<Vec<f64>>,
+    /// The speeds, where the speed varies.
+    speeds: Option<Vec<f64>>,
     /// The points of plain values, and whether that is all of them.
     plain: Vec<bool>,
     all_are_plain: bool,
@@ -81,6 +84,8 @@ pub(crate) struct Kernel<'a> {
     /// quantities, and how they are computed.
     staged: Option<([Option<usize>; 2], Widths)>,
     closed_forms: ClosedForms,
+    variables: Vec<Variable>,
+    /// Those that are inputs of the rotor.
     inputs: Vec<&'static NumericInput>,
     /// The blocks that were entered last, and the one that it is about.
     blocks: Vec<Block>,
@@ -94,22 +99,28 @@ pub(crate) struct Kernel<'a> {
 }
 
 impl<'a> Kernel<'a> {
-    /// A kernel for the inputs that vary within a block.
+    /// A kernel for what varies within a block.
     pub(crate) fn new(
-        inputs: impl IntoIterator<Item = &'static NumericInput>,
+        variables: impl IntoIterator<Item = Variable>,
         quantities: &'a [Quantity],
     ) -> Self {
-        let inputs: Vec<_> = inputs.into_iter().collect();
+        let variables: Vec<_> = variables.into_iter().collect();
+        let inputs = variables.iter().filter_map(|variable| match variable {
+            Variable::Input(input) => Some(*input),
+            Variable::Speed => None,
+        });
+        let inputs: Vec<_> = inputs.collect();
         let place = |wanted| quantities.iter().position(|quantity| *quantity == wanted);
         let places = [Quantity::SirWidth, Quantity::CirWidth].map(place);
         let only_widths = places.iter().flatten().count() == quantities.len();
-        let staged = Widths::along(&inputs).filter(|_| only_widths);
+        let staged = Widths::along(&inputs).filter(|_| only_widths && !inputs.is_empty());
         let open = quantities.iter().filter(|quantity| !is_closed(**quantity));
         Self {
             quantities,
             open: open.copied().collect(),
             staged: staged.map(|widths| (places, widths)),
             closed_forms: ClosedForms::of(quantities),
+            variables,
             inputs,
             blocks: Vec::new(),
             current: 0,
@@ -120,7 +131,7 @@ impl<'a> Kernel<'a> {
     }
 
     /// Takes the block of `length` points from the point `first` of the axis on, at most [`POINTS_PER_BLOCK`]; `fill` writes
-    /// the values of the input of each number.
+    /// the values of the variable of each number.
     pub(crate) fn enter(&mut self, first: u64, length: usize, fill: impl Fn(usize, &mut [f64])) {
         self.entered += 1;
         let same = |block: &Block| block.first == first && block.plain.len() == length;
@@ -129,15 +140,20 @@ impl<'a> Kernel<'a> {
             self.blocks[known].entered = self.entered;
             return;
         }
-        let values = self.inputs.iter().enumerate().map(|(number, _)| {
-            let mut values = vec![f64::NAN; length];
-            fill(number, &mut values);
-            values
-        });
+        let (mut values, mut speeds) = (Vec::new(), None);
+        for (number, variable) in self.variables.iter().enumerate() {
+            let mut filled = vec![f64::NAN; length];
+            fill(number, &mut filled);
+            match variable {
+                Variable::Input(_) => values.push(filled),
+                Variable::Speed => speeds = Some(filled),
+            }
+        }
         let mut block = Block {
             first,
             entered: self.entered,
-            values: values.collect(),
+            values,
+            speeds,
             plain: vec![true; length],
             all_are_plain: false,
             tables: Tables::new(),
@@ -165,15 +181,19 @@ impl<'a> Kernel<'a> {
         }
     }
 
-    /// Evaluates the block for the rotors that have the inputs `row` but for those that vary, which need not be valid.
-    /// `results` has for each quantity a slice of the block's length.
+    /// Evaluates the block for the rotors that have the inputs `row` but for those that vary, which need not be valid, at
+    /// the speed of the row but where that varies. `results` has for each quantity a slice of the block's length.
     ///
     /// Within these slices, and nowhere else, NaN means that the point has no such quantity.
     pub(crate) fn evaluate(
         &mut self,
         row: &RotorParameters,
+        speed: Option<f64>,
         results: &mut [&mut [f64]],
     ) -> Evaluated {
+        if self.inputs.is_empty() {
+            return self.along_speeds(row, results);
+        }
         let row_is_plain = self.is_plain(row);
         let Some(block) = self.blocks.get(self.current) else {
             return Evaluated::COMPLETE;
@@ -207,7 +227,7 @@ impl<'a> Kernel<'a> {
             self.closed_forms
                 .evaluate(points, quantities, results, known);
         }
-        self.rest(row, results)
+        self.rest(row, speed, results)
     }
 
     /// What is wanted of the quantities in the block for these rotors without the quantities themselves, at points that all
@@ -248,23 +268,39 @@ impl<'a> Kernel<'a> {
     }
 
     /// Evaluates point by point what is not known.
-    fn rest(&self, row: &RotorParameters, results: &mut [&mut [f64]]) -> Evaluated {
+    fn rest(
+        &self,
+        row: &RotorParameters,
+        speed: Option<f64>,
+        results: &mut [&mut [f64]],
+    ) -> Evaluated {
         let mut evaluated = Evaluated::COMPLETE;
         for (point, known) in self.known.iter().enumerate() {
             if !(*known && self.open.is_empty()) {
                 evaluated.is_complete = false;
-                evaluated.no_rotor += u64::from(!self.point(row, point, results));
+                evaluated.no_rotor += u64::from(!self.point(row, speed, point, results));
             }
         }
         evaluated
     }
 
     /// Evaluates what is not known at one point; whether it is a rotor.
-    fn point(&self, row: &RotorParameters, point: usize, results: &mut [&mut [f64]]) -> bool {
+    fn point(
+        &self,
+        row: &RotorParameters,
+        mut speed: Option<f64>,
+        point: usize,
+        results: &mut [&mut [f64]],
+    ) -> bool {
         let mut parameters = *row;
-        let values = self.blocks.get(self.current).map(|block| &block.values);
-        for (input, values) in self.inputs.iter().zip(values.into_iter().flatten()) {
-            (input.set)(&mut parameters, values[point]);
+        if let Some(block) = self.blocks.get(self.current) {
+            for (input, values) in self.inputs.iter().zip(&block.values) {
+                (input.set)(&mut parameters, values[point]);
+            }
+            speed = block
+                .speeds
+                .as_ref()
+                .map_or(speed, |speeds| Some(speeds[point]));
         }
         let Ok(rotor) = Rotor::new(parameters) else {
             for result in results.iter_mut() {
@@ -277,16 +313,46 @@ impl<'a> Kernel<'a> {
         } else {
             self.quantities
         };
-        let values = quantity::evaluate(unknown, &rotor);
+        let values = quantity::evaluate_at(unknown, &rotor, speed);
         for (quantity, value) in unknown.iter().zip(values) {
             let places = self.quantities.iter().zip(results.iter_mut());
             for (_, result) in places.filter(|(asked, _)| *asked == quantity) {
-                // A zero has no sign.
-                result[point] = value.as_ref().map_or(f64::NAN, |value| value + 0.0);
+                result[point] = number_of(&value);
             }
         }
         true
     }
+
+    /// Evaluates a block in which the speed alone varies: what the rotor has at all speeds is computed once.
+    fn along_speeds(&self, row: &RotorParameters, results: &mut [&mut [f64]]) -> Evaluated {
+        let block = self.blocks.get(self.current);
+        let speeds = block
+            .and_then(|block| block.speeds.as_deref())
+            .unwrap_or_default();
+        let rotor = Rotor::new(*row);
+        let shared = rotor.as_ref().map(Shared::new);
+        for (quantity, result) in self.quantities.iter().zip(results) {
+            for (result, speed) in result.iter_mut().zip(speeds) {
+                let value = shared
+                    .as_ref()
+                    .map(|shared| shared.get(*quantity, Some(*speed)));
+                *result = value.map_or(f64::NAN, |value| number_of(&value));
+            }
+        }
+        Evaluated {
+            no_rotor: if rotor.is_ok() {
+                0
+            } else {
+                speeds.len() as u64
+            },
+            is_complete: false,
+        }
+    }
+}
+
+/// A quantity among others of its kind; a zero has no sign.
+fn number_of(value: &Result<f64, Reason>) -> f64 {
+    value.as_ref().map_or(f64::NAN, |value| value + 0.0)
 }
 
 /// The slices of the widths of the simple and of the combination region, where they are asked for.

@@ -41,6 +41,7 @@ pub mod scan;
 pub mod stability;
 mod summary;
 pub mod table;
+mod variable;
 pub mod zero_unstable_point;
 
 /// The examples of README.md, compiled and run as documentation tests.

@@ -9,7 +9,7 @@ use thiserror::Error;
 use crate::equations::{Coefficients, CrackCompliance, Stiffness};
 use crate::region::{self, NoEnds, NoRegion, RegionKind};
 use crate::rotor::{NoCoefficients, Rotor};
-use crate::stability::{Ends, StabilityError};
+use crate::stability::{self, Ends, StabilityError};
 
 /// A result that a rotor has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -57,6 +57,8 @@ pub enum Quantity {
     CirExactLower,
     /// Exact upper end of the combination region.
     CirExactUpper,
+    /// Exact growth rate at a speed.
+    GrowthRate,
 }
 
 /// Name, symbol, unit, description.
@@ -72,7 +74,7 @@ const RELATIVE: &str = "× reference speed";
 
 /// One row for each quantity, in the order of the variants.
 #[rustfmt::skip]
-const TABLE: [Row; 21] = [
+const TABLE: [Row; 22] = [
     (Quantity::C11, "c11", "c₁₁", "m/N", "shear compliance of the crack along its depth, Eq. (8a)"),
     (Quantity::C22, "c22", "c₂₂", "m/N", "shear compliance of the crack along its edge, Eq. (8b)"),
     (Quantity::C33, "c33", "c₃₃", "rad/(N m)", "bending compliance of the crack that opens its whole edge, Eq. (8c)"),
@@ -94,6 +96,7 @@ const TABLE: [Row; 21] = [
     (Quantity::SirExactUpper, "sir_exact_upper", "Ω_s,upper", RELATIVE, "exact upper end of the simple instability region"),
     (Quantity::CirExactLower, "cir_exact_lower", "Ω_c,lower", RELATIVE, "exact lower end of the combination instability region"),
     (Quantity::CirExactUpper, "cir_exact_upper", "Ω_c,upper", RELATIVE, "exact upper end of the combination instability region"),
+    (Quantity::GrowthRate, "growth_rate", "μ", RELATIVE, "exact growth rate at a speed, 0 where the motion is stable"),
 ];
 
 impl Quantity {
@@ -133,12 +136,17 @@ impl Quantity {
         self.row().4
     }
 
-    /// Computes it for one rotor; see [`evaluate`] for several.
+    /// Whether it is at a speed, and not of the rotor alone.
+    pub const fn needs_speed(self) -> bool {
+        matches!(self, Self::GrowthRate)
+    }
+
+    /// Computes it for one rotor; see [`evaluate`] for several and [`evaluate_at`] for those at a speed.
     ///
     /// # Errors
     /// Why the rotor has no such quantity.
     pub fn evaluate(self, rotor: &Rotor) -> Result<f64, Reason> {
-        Shared::new(rotor).get(self)
+        Shared::new(rotor).get(self, None)
     }
 }
 
@@ -192,6 +200,9 @@ pub enum Reason {
     /// The region has no two exact ends, or they were not found.
     #[error(transparent)]
     Stability(#[from] StabilityError),
+    /// It is at a speed, and none is given.
+    #[error("{0} is at a speed, and none is given")]
+    NoSpeed(Quantity),
 }
 
 impl From<NoEnds> for Reason {
@@ -207,15 +218,34 @@ impl From<NoEnds> for Reason {
 /// compliance, the stiffness, the coefficients, the ends of a region) is computed once, and only if
 /// one of them needs it.
 pub fn evaluate(quantities: &[Quantity], rotor: &Rotor) -> Vec<Result<f64, Reason>> {
+    evaluate_at(quantities, rotor, None)
+}
+
+/// The same at a speed, in units of the reference speed, for quantities that [need one](Quantity::needs_speed).
+///
+/// ```
+/// use rotor_core::{quantity::{Quantity, evaluate_at}, rotor::Rotor};
+/// let rotor = Rotor::default();
+/// let [lower, upper] = [Quantity::SirExactLower, Quantity::SirExactUpper].map(|end| end.evaluate(&rotor));
+/// let inside = 0.5 * (lower? + upper?);
+/// let growth = evaluate_at(&[Quantity::GrowthRate], &rotor, Some(inside)).remove(0)?;
+/// assert!(growth > 0.0);
+/// # Ok::<(), rotor_core::quantity::Reason>(())
+/// ```
+pub fn evaluate_at(
+    quantities: &[Quantity],
+    rotor: &Rotor,
+    speed: Option<f64>,
+) -> Vec<Result<f64, Reason>> {
     let shared = Shared::new(rotor);
     quantities
         .iter()
-        .map(|&quantity| shared.get(quantity))
+        .map(|&quantity| shared.get(quantity, speed))
         .collect()
 }
 
 /// What the quantities of one rotor have in common, each computed at its first use.
-struct Shared<'a> {
+pub(crate) struct Shared<'a> {
     rotor: &'a Rotor,
     compliance: OnceCell<Result<CrackCompliance, NoCoefficients>>,
     stiffness: OnceCell<Result<Stiffness, NoCoefficients>>,
@@ -225,7 +255,7 @@ struct Shared<'a> {
 }
 
 impl<'a> Shared<'a> {
-    const fn new(rotor: &'a Rotor) -> Self {
+    pub(crate) const fn new(rotor: &'a Rotor) -> Self {
         Self {
             rotor,
             compliance: OnceCell::new(),
@@ -260,7 +290,8 @@ impl<'a> Shared<'a> {
             .clone()
     }
 
-    fn get(&self, quantity: Quantity) -> Result<f64, Reason> {
+    /// The quantity, at a speed if it needs one.
+    pub(crate) fn get(&self, quantity: Quantity, speed: Option<f64>) -> Result<f64, Reason> {
         use RegionKind::{Combination, Simple};
         Ok(match quantity {
             Quantity::C11 => self.compliance()?.c11,
@@ -284,6 +315,10 @@ impl<'a> Shared<'a> {
             Quantity::SirExactUpper => self.ends(Simple, &self.sir_ends)?.upper,
             Quantity::CirExactLower => self.ends(Combination, &self.cir_ends)?.lower,
             Quantity::CirExactUpper => self.ends(Combination, &self.cir_ends)?.upper,
+            Quantity::GrowthRate => {
+                let speed = speed.ok_or(Reason::NoSpeed(quantity))?;
+                stability::growth_rate(&self.coefficients()?, speed)?
+            }
         })
     }
 }
@@ -318,7 +353,7 @@ mod tests {
         let together = evaluate(&Quantity::ALL, &rotor);
         for (quantity, value) in Quantity::ALL.into_iter().zip(together) {
             assert_eq!(value, quantity.evaluate(&rotor), "{quantity}");
-            assert!(value.is_ok(), "{quantity}");
+            assert_eq!(value.is_ok(), !quantity.needs_speed(), "{quantity}");
         }
     }
 

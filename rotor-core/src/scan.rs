@@ -42,6 +42,7 @@ mod space;
 use crate::quantity::Quantity;
 use crate::rotor::{Rotor, RotorParameters};
 
+pub use crate::variable::Variable;
 pub use axis::Axis;
 pub use chunk::{Chunk, Column, Counts, POINTS_PER_CHUNK};
 pub use error::ScanError;
@@ -99,13 +100,22 @@ impl Scan {
     /// Checks all of it.
     ///
     /// # Errors
-    /// Where nothing is varied or asked for, an input is varied twice, there are more points than
-    /// [`MOST_POINTS`], or a reduction is none or keeps more than [`MOST_RESULTS`].
+    /// Where nothing is varied or asked for, a variable is varied twice, a quantity needs a speed and it is not varied,
+    /// there are more points than [`MOST_POINTS`], or a reduction is none or keeps more than [`MOST_RESULTS`].
     pub fn plan(self) -> Result<Plan, ScanError> {
         if self.quantities.is_empty() {
             return Err(ScanError::NoQuantity);
         }
         let space = Space::new(self.axes)?;
+        let has_speed = space.axes().iter().any(|axis| axis.varies(Variable::Speed));
+        let mut at_speed = self
+            .quantities
+            .iter()
+            .filter(|quantity| quantity.needs_speed());
+        if let Some(quantity) = at_speed.next().filter(|_| !has_speed) {
+            let quantity = quantity.name();
+            return Err(ScanError::NoSpeed { quantity });
+        }
         let groupings = reduce::groupings(&self.reductions, &space, self.quantities.len())?;
         Ok(Plan {
             base: self.base,

@@ -72,14 +72,14 @@ pub fn evaluate(
 ) -> Result<Vec<Vec<f64>>, TableError> {
     let length = check(columns)?;
     let mut results = vec![vec![f64::NAN; length]; quantities.len()];
-    let mut kernel = Kernel::new(columns.iter().map(|column| column.input), quantities);
+    let mut kernel = Kernel::new(columns.iter().map(|column| column.input.into()), quantities);
     for from in (0..length).step_by(POINTS_PER_BLOCK) {
         let to = length.min(from + POINTS_PER_BLOCK);
         kernel.enter(from as u64, to - from, |number, values| {
             values.copy_from_slice(&columns[number].values[from..to]);
         });
         let stretch = results.iter_mut().map(|result| &mut result[from..to]);
-        kernel.evaluate(base, &mut stretch.collect::<Vec<_>>());
+        kernel.evaluate(base, None, &mut stretch.collect::<Vec<_>>());
     }
     Ok(results)
 }

@@ -126,8 +126,8 @@ fn inputs_that_vary_together_are_as_by_points() {
     for point in 0..50 {
         let mut p = base;
         for axis in &axes {
-            let varied = axis.inputs().next().unwrap();
-            (varied.set)(&mut p, axis.value(0, point));
+            let varied = axis.variables().next().unwrap();
+            varied.set(&mut p, &mut None, axis.value(0, point));
         }
         let expected = quantity::evaluate(&WIDTHS, &Rotor::new(p).unwrap());
         for (found, expected) in found.iter().zip(expected) {

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use rotor_core::quantity::Quantity;
 
 use super::EXIT_CODES;
 
@@ -12,7 +13,8 @@ use super::EXIT_CODES;
 /// a range, `start:stop:count` (both ends included) or `start:stop:count:log`; a list, `a,b,c`; or a column of a CSV
 /// file, `table.csv:column`. Numbers may end with `deg` where an angle is meant, and with `%` where a ratio is.
 /// Inputs that are linked by commas run together: `--vary disk.asymmetry=0:0.2:5,crack.depth_ratio=0.1:0.3:5` are 5
-/// points.
+/// points. Beside the inputs the speed can be varied, in units of each rotor's own reference speed, for `growth_rate`,
+/// which is at a speed; `all` are the quantities that need none.
 ///
 /// Each --sample draws an input at random: `normal(mean,deviation)`, `uniform(low,high)` or
 /// `lognormal(median,deviation of the logarithm)`; all of them together are one axis of --count points, outside of the
@@ -29,11 +31,12 @@ use super::EXIT_CODES;
   $ rotor scan --vary crack.angle=0deg:180deg:721 -q sir_width,cir_width --reduce max,argmin,mean\n  \
   $ rotor scan --vary crack.angle=0,45deg --vary disk.mass=1:100:9:log -q beta -r max:crack.angle\n  \
   $ rotor scan --sample 'disk.asymmetry=normal(0.2,0.01)' --count 1e4 --seed 7 -q sir_width -o b.npy\n  \
-  $ rotor scan --vary crack.depth_ratio=0:0.4:97 --vary crack.angle=0:3:97 -q cir_width --plot m.svg\n\n\
+  $ rotor scan --vary crack.depth_ratio=0:0.4:97 --vary crack.angle=0:3:97 -q cir_width --plot m.svg\n  \
+  $ rotor scan --vary crack.depth_ratio=0:0.4:97 --vary speed=0.6:1.8:301 -q growth_rate --plot g.svg\n\n\
 Quantities: {}\n\
 Inputs: {}\n\
 Reductions: max, min, argmax, argmin, mean, count(THRESHOLD), histogram(LOW,HIGH,BINS)\n\
-{EXIT_CODES} Interrupted: 130.", crate::evaluate::result_names().join(" "), crate::scan::input_names().join(" ")))]
+{EXIT_CODES} Interrupted: 130.", Quantity::ALL.map(Quantity::name).join(" "), crate::scan::input_names().join(" ")))]
 pub(crate) struct ScanArguments {
     /// The rotor whose inputs hold where nothing varies, a TOML file as `rotor init` writes it; `-` is standard
     /// input. Without it, the paper's rotor

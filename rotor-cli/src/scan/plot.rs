@@ -7,8 +7,8 @@ use std::path::Path;
 
 use rotor_core::quantity::Quantity;
 use rotor_core::region::RegionKind;
-use rotor_core::rotor::{NumericInput, Rotor};
-use rotor_core::scan::{self, Plan, Scan};
+use rotor_core::rotor::Rotor;
+use rotor_core::scan::{self, Plan, Scan, Variable};
 
 use crate::failure::Failure;
 use crate::figure::{Axis, Curve, Dash, Figure, FigureError, Map, Mark, Panel, Plot, Ticks};
@@ -88,8 +88,8 @@ pub(super) fn draw(plan: &Plan, path: &Path, rotor: &str) -> Result<Drawn, Failu
 /// An axis of the scan as the picture has it: its values in rising order, each once.
 #[derive(Clone)]
 struct Shown {
-    columns: Vec<&'static NumericInput>,
-    /// For each value those of all its inputs.
+    columns: Vec<Variable>,
+    /// For each value those of all its columns.
     values: Vec<Vec<f64>>,
 }
 
@@ -104,7 +104,7 @@ impl Shown {
                 (u128::from(k) * u128::from(last) / u128::from(count - 1)) as u64
             }
         };
-        let columns: Vec<_> = axis.inputs().collect();
+        let columns: Vec<_> = axis.variables().collect();
         let at = |index| {
             (0..columns.len())
                 .map(|column| axis.value(column, index))
@@ -117,9 +117,9 @@ impl Shown {
     }
 
     fn axis(&self) -> Result<scan::Axis, Failure> {
-        let columns = self.columns.iter().enumerate().map(|(column, input)| {
+        let columns = self.columns.iter().enumerate().map(|(column, variable)| {
             let values = self.values.iter().map(|values| values[column]).collect();
-            scan::Axis::listed(input, values)
+            scan::Axis::listed(*variable, values)
         });
         let columns = columns.collect::<Result<_, _>>();
         columns.and_then(scan::Axis::linked).map_err(super::of_scan)
@@ -131,26 +131,30 @@ impl Shown {
 
     /// `φ = 30°`.
     fn title(&self, index: usize) -> String {
-        let input = self.columns[0];
+        let variable = self.columns[0];
         let value = self.values[index][0];
-        let value = if input.unit == "rad" {
+        let value = if variable.unit() == "rad" {
             format!("{}°", shortest((value.to_degrees() * 1e6).round() / 1e6))
         } else {
             shortest(value)
         };
-        format!("{} = {}", markup(input.symbol), value.replace('-', "−"))
+        format!(
+            "{} = {}",
+            markup(variable.symbol()),
+            value.replace('-', "−")
+        )
     }
 
     fn drawn_axis(&self) -> Axis {
-        let input = self.columns[0];
-        if input.unit == "rad" {
+        let variable = self.columns[0];
+        if variable.unit() == "rad" {
             return Axis {
-                label: markup(input.symbol),
+                label: markup(variable.symbol()),
                 range: None,
                 ticks: Ticks::Degrees,
             };
         }
-        axis(&markup(input.symbol), input.unit)
+        axis(&markup(variable.symbol()), variable.unit())
     }
 }
 
@@ -382,18 +386,18 @@ impl Drawing<'_> {
 
     /// The disk's asymmetry at a point.
     fn asymmetry(&self, point: usize) -> f64 {
-        let mut parameters = *self.plan.base();
+        let (mut parameters, mut speed) = (*self.plan.base(), None);
         let mut rest = point;
         for shown in self.shown.iter().rev() {
             let values = &shown.values[rest % shown.values.len()];
             rest /= shown.values.len();
-            for (input, &value) in shown.columns.iter().zip(values) {
-                (input.set)(&mut parameters, value);
+            for (variable, &value) in shown.columns.iter().zip(values) {
+                variable.set(&mut parameters, &mut speed, value);
             }
         }
         for shown in self.fixed {
-            for (input, &value) in shown.columns.iter().zip(&shown.values[0]) {
-                (input.set)(&mut parameters, value);
+            for (variable, &value) in shown.columns.iter().zip(&shown.values[0]) {
+                variable.set(&mut parameters, &mut speed, value);
             }
         }
         parameters.disk_asymmetry

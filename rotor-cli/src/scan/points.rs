@@ -13,13 +13,10 @@ use crate::files::{Format, Layout, number_field, schema};
 
 /// The layout of the table of a plan's points.
 pub(super) fn layout(plan: &Plan, format: Format, about: &str) -> Layout {
-    let inputs = plan.space().axes().iter().flat_map(Axis::inputs);
-    let inputs = inputs.map(|input| {
-        number_field(
-            input.name,
-            false,
-            (input.symbol, input.unit, input.description),
-        )
+    let inputs = plan.space().axes().iter().flat_map(Axis::variables);
+    let inputs = inputs.map(|variable| {
+        let about = (variable.symbol(), variable.unit(), variable.description());
+        number_field(variable.name(), false, about)
     });
     let quantities = plan.quantities().iter().map(|quantity| {
         let about = (quantity.symbol(), quantity.unit(), quantity.description());
@@ -36,11 +33,11 @@ pub(super) fn layout(plan: &Plan, format: Format, about: &str) -> Layout {
 /// What a file says about its scan: the axes with their units, and the rotor about which they vary.
 pub(super) fn about(plan: &Plan) -> String {
     let axes = plan.space().axes().iter().map(|axis| {
-        let inputs = axis.inputs().enumerate().map(|(column, input)| {
+        let inputs = axis.variables().enumerate().map(|(column, variable)| {
             json!({
-                "input": input.name,
-                "symbol": input.symbol,
-                "unit": input.unit,
+                "input": variable.name(),
+                "symbol": variable.symbol(),
+                "unit": variable.unit(),
                 "first": axis.value(column, 0),
                 "last": axis.value(column, axis.len() - 1),
             })
@@ -74,7 +71,7 @@ pub(super) fn batch(
 ) -> io::Result<RecordBatch> {
     let mut columns: Vec<ArrayRef> = Vec::new();
     for (number, axis) in chunk.space().axes().iter().enumerate() {
-        for column in 0..axis.inputs().len() {
+        for column in 0..axis.variables().len() {
             columns.push(Arc::new(Float64Array::from(chunk.inputs(number, column))));
         }
     }

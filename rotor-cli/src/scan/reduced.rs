@@ -6,8 +6,7 @@ use std::sync::Arc;
 
 use arrow_array::{ArrayRef, Float64Array, RecordBatch, StringArray};
 use arrow_schema::{DataType, Field};
-use rotor_core::rotor::NumericInput;
-use rotor_core::scan::{Axis, Plan, Reduced, Statistic};
+use rotor_core::scan::{Axis, Plan, Reduced, Statistic, Variable};
 
 use crate::files::{Format, Layout, number_field, schema};
 use crate::table::{Cell, Table};
@@ -37,7 +36,7 @@ fn table(plan: &Plan, reduced: &Reduced) -> Table {
     let statistic = reduced.reduction().statistic();
     let mut headings: Vec<&'static str> = Vec::new();
     for axis in reduced.kept() {
-        headings.extend(space.axes()[axis].inputs().map(|input| input.name));
+        headings.extend(space.axes()[axis].variables().map(Variable::name));
     }
     let histogram = matches!(statistic, Statistic::Histogram { .. });
     if histogram {
@@ -91,8 +90,8 @@ fn reduced_inputs<'a>(
     let axes = plan.space().axes().iter().enumerate();
     axes.filter(move |(number, _)| !kept.contains(number))
         .flat_map(|(number, axis)| {
-            let inputs = axis.inputs().enumerate();
-            inputs.map(move |(column, input)| (number, column, input.name))
+            let inputs = axis.variables().enumerate();
+            inputs.map(move |(column, variable)| (number, column, variable.name()))
         })
 }
 
@@ -103,8 +102,9 @@ fn kept_cells(plan: &Plan, reduced: &Reduced, group: u64) -> Vec<Cell> {
         let index = reduced
             .index(plan.space(), number_of_axis, group)
             .unwrap_or(0);
-        cells
-            .extend((0..axis.inputs().len()).map(|column| number(Some(axis.value(column, index)))));
+        cells.extend(
+            (0..axis.variables().len()).map(|column| number(Some(axis.value(column, index)))),
+        );
     }
     cells
 }
@@ -203,7 +203,7 @@ impl Long {
                     let index = reduced
                         .index(plan.space(), number, group)
                         .or_else(|| point.map(|point| plan.space().index(number, point)));
-                    (0..axis.inputs().len())
+                    (0..axis.variables().len())
                         .map(move |column| index.map(|index| axis.value(column, index)))
                 });
             for (values, value) in self.inputs.iter_mut().zip(columns) {
@@ -217,14 +217,14 @@ impl Long {
 }
 
 /// The columns of the long table.
-fn long_fields(inputs: &[&'static NumericInput]) -> Vec<Field> {
+fn long_fields(inputs: &[Variable]) -> Vec<Field> {
     let mut fields = vec![
         Field::new("reduction", DataType::Utf8, false),
         Field::new("quantity", DataType::Utf8, false),
     ];
     fields.extend(inputs.iter().map(|input| {
-        let about = (input.symbol, input.unit, input.description);
-        number_field(input.name, true, about)
+        let about = (input.symbol(), input.unit(), input.description());
+        number_field(input.name(), true, about)
     }));
     for (name, description) in [
         ("bin_from", "lower end of a histogram's bin"),
@@ -249,7 +249,12 @@ pub(super) fn long(
     format: Format,
     about: &str,
 ) -> io::Result<(Layout, RecordBatch)> {
-    let inputs: Vec<_> = plan.space().axes().iter().flat_map(Axis::inputs).collect();
+    let inputs: Vec<_> = plan
+        .space()
+        .axes()
+        .iter()
+        .flat_map(Axis::variables)
+        .collect();
     let mut table = Long {
         inputs: vec![Vec::new(); inputs.len()],
         ..Long::default()

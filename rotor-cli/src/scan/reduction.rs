@@ -2,7 +2,7 @@
 
 use rotor_core::scan::{Reduction, Statistic};
 
-use super::vary::input;
+use super::vary::variable;
 use crate::failure::Failure;
 
 const KINDS: &str = "max, min, argmax, argmin, mean, count(0.05) or histogram(0,1,20), over one axis as \
@@ -51,7 +51,7 @@ fn one(text: &str) -> Result<Reduction, String> {
     let over = over.ok_or_else(|| format!("\"{text}\" is no reduction; wanted is {KINDS}"))?;
     let mut reduction = Reduction::new(statistic);
     for name in over.split('+').filter(|_| !over.is_empty()) {
-        reduction = reduction.over(input(name)?);
+        reduction = reduction.over(variable(name)?);
     }
     Ok(reduction)
 }

@@ -1,9 +1,8 @@
 //! The grammar of `--sample`: inputs and their distributions.
 
-use rotor_core::rotor::NumericInput;
-use rotor_core::scan::{Axis, Distribution, Sampling};
+use rotor_core::scan::{Axis, Distribution, Sampling, Variable};
 
-use super::vary::{input, number};
+use super::vary::{number, variable};
 use crate::failure::Failure;
 
 const EXAMPLE: &str =
@@ -23,12 +22,12 @@ pub(super) fn axis(texts: &[String], count: u64, sampling: Sampling) -> Result<A
         .map_err(|error| Failure::input(format!("--sample: {error}")))
 }
 
-fn one(text: &str) -> Result<(&'static NumericInput, Distribution), String> {
+fn one(text: &str) -> Result<(Variable, Distribution), String> {
     let wanted = |what: &str| format!("{what}; a distribution is wanted, as {EXAMPLE}");
     let (name, distribution) = text
         .split_once('=')
         .ok_or_else(|| wanted(&format!("\"{text}\" has no `=`")))?;
-    let input = input(name)?;
+    let variable = variable(name)?;
     let (kind, rest) = distribution
         .trim()
         .strip_suffix(')')
@@ -40,7 +39,7 @@ fn one(text: &str) -> Result<(&'static NumericInput, Distribution), String> {
             "\"{distribution}\" does not have 2 parameters"
         )));
     };
-    let (first, of_unit) = (number(input, first)?, || number(input, second));
+    let (first, of_unit) = (number(variable, first)?, || number(variable, second));
     let distribution = match kind.trim() {
         "normal" => Distribution::Normal {
             mean: first,
@@ -58,5 +57,5 @@ fn one(text: &str) -> Result<(&'static NumericInput, Distribution), String> {
         },
         other => return Err(wanted(&format!("there is no distribution \"{other}\""))),
     };
-    Ok((input, distribution))
+    Ok((variable, distribution))
 }

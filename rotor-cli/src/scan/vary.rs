@@ -1,9 +1,9 @@
-//! The grammar of `--vary`: inputs and their values.
+//! The grammar of `--vary`: inputs, or the speed, and their values.
 
 use std::path::Path;
 
-use rotor_core::rotor::{INPUTS, NumericInput};
-use rotor_core::scan::{Axis, ScanError};
+use rotor_core::rotor::{INPUTS, RotorParameters};
+use rotor_core::scan::{Axis, ScanError, Variable};
 
 use crate::failure::Failure;
 use crate::nearest::nearest;
@@ -17,7 +17,9 @@ pub(super) fn axis(text: &str) -> Result<Axis, Failure> {
     let complain = |why: String| Failure::input(format!("--vary {text}: {why}"));
     let axes = linked(text)
         .and_then(|inputs| {
-            let axes = inputs.iter().map(|(input, values)| one(input, values));
+            let axes = inputs
+                .iter()
+                .map(|(variable, values)| one(*variable, values));
             axes.collect::<Result<Vec<_>, _>>()
         })
         .map_err(complain)?;
@@ -26,11 +28,11 @@ pub(super) fn axis(text: &str) -> Result<Axis, Failure> {
 
 /// The inputs and their values: a comma before `name=` begins another input, any other comma
 /// belongs to a list.
-fn linked(text: &str) -> Result<Vec<(&'static NumericInput, String)>, String> {
-    let mut inputs: Vec<(&'static NumericInput, String)> = Vec::new();
+fn linked(text: &str) -> Result<Vec<(Variable, String)>, String> {
+    let mut inputs: Vec<(Variable, String)> = Vec::new();
     for part in text.split(',') {
         match (part.split_once('='), inputs.last_mut()) {
-            (Some((name, values)), _) => inputs.push((input(name)?, values.trim().to_owned())),
+            (Some((name, values)), _) => inputs.push((variable(name)?, values.trim().to_owned())),
             (None, Some((_, values))) => {
                 values.push(',');
                 values.push_str(part);
@@ -45,20 +47,21 @@ fn linked(text: &str) -> Result<Vec<(&'static NumericInput, String)>, String> {
     Ok(inputs)
 }
 
-/// The input of a name.
-pub(super) fn input(name: &str) -> Result<&'static NumericInput, String> {
+/// What is called so.
+pub(super) fn variable(name: &str) -> Result<Variable, String> {
     let name = name.trim();
-    NumericInput::find(name).ok_or_else(|| {
+    Variable::find(name).ok_or_else(|| {
         let flat = name.replace(['.', ' ', '-'], "_");
-        let names = INPUTS.iter().map(|input| input.name);
+        let inputs = INPUTS.iter().map(|input| input.name);
+        let names = inputs.chain([Variable::Speed.name()]);
         // What is only the beginning of a name is no misspelling of it.
         let begun = names
             .clone()
             .find(|known| !flat.is_empty() && known.starts_with(&flat));
-        match nearest(&flat, names).or(begun).and_then(NumericInput::find) {
+        match nearest(&flat, names).or(begun).and_then(Variable::find) {
             Some(near) => format!(
-                "there is no input \"{name}\"; did you mean {}.{}?",
-                near.section, near.key
+                "there is no input \"{name}\"; did you mean {}?",
+                near.dotted_name()
             ),
             None => {
                 let names: Vec<_> = super::input_names();
@@ -71,17 +74,17 @@ pub(super) fn input(name: &str) -> Result<&'static NumericInput, String> {
     })
 }
 
-/// The axis of one input.
-fn one(input: &'static NumericInput, values: &str) -> Result<Axis, String> {
+/// The axis of one variable.
+fn one(variable: Variable, values: &str) -> Result<Axis, String> {
     let words = |error: ScanError| format!("\"{values}\": {error}");
     if let Some((path, column)) = file_and_column(values) {
-        return from_file(input, path, column);
+        return from_file(variable, path, column);
     }
     if !values.contains(':') {
-        let listed = values.split(',').map(|value| number(input, value));
-        return Axis::listed(input, listed.collect::<Result<_, _>>()?).map_err(words);
+        let listed = values.split(',').map(|value| number(variable, value));
+        return Axis::listed(variable, listed.collect::<Result<_, _>>()?).map_err(words);
     }
-    let example = format!("as {}.{}={}", input.section, input.key, example(input));
+    let example = format!("as {}={}", variable.dotted_name(), example(variable));
     let parts: Vec<_> = values.split(':').map(str::trim).collect();
     let (start, stop, count, logarithmic) = match parts[..] {
         [start, stop, count] => (start, stop, count, false),
@@ -97,30 +100,34 @@ fn one(input: &'static NumericInput, values: &str) -> Result<Axis, String> {
             ));
         }
     };
-    let ends = (number(input, start)?, number(input, stop)?);
+    let ends = (number(variable, start)?, number(variable, stop)?);
     let count = super::point_count(count)
         .map_err(|why| format!("\"{values}\": the count {why}, {example}"))?;
     if logarithmic {
-        Axis::logarithmic(input, ends, count).map_err(words)
+        Axis::logarithmic(variable, ends, count).map_err(words)
     } else {
-        Axis::linear(input, ends, count).map_err(words)
+        Axis::linear(variable, ends, count).map_err(words)
     }
 }
 
-/// Values of the input that are allowed, as an example of a range.
-fn example(input: &NumericInput) -> String {
+/// Values that are allowed, as an example of a range.
+fn example(variable: Variable) -> String {
+    let input = match variable {
+        Variable::Input(input) => input,
+        Variable::Speed => return "0.5:2:301".to_owned(),
+    };
     match input.unit {
         "rad" => "0deg:180deg:91".to_owned(),
         "" => "0.1:0.4:31".to_owned(),
         _ => {
-            let usual = (input.get)(&rotor_core::rotor::RotorParameters::PAPER);
+            let usual = (input.get)(&RotorParameters::PAPER);
             format!("{usual:?}:{:?}:11", 2.0 * usual)
         }
     }
 }
 
 /// A number with `deg`, `rad` or `%`.
-pub(super) fn number(input: &NumericInput, text: &str) -> Result<f64, String> {
+pub(super) fn number(variable: Variable, text: &str) -> Result<f64, String> {
     let text = text.trim();
     let (digits, factor) = if let Some(digits) = text.strip_suffix("deg").or(text.strip_suffix('°'))
     {
@@ -130,20 +137,20 @@ pub(super) fn number(input: &NumericInput, text: &str) -> Result<f64, String> {
     } else if let Some(digits) = text.strip_suffix('%') {
         (digits, None)
     } else {
-        return plain(input, text, text);
+        return plain(variable, text, text);
     };
-    let value = plain(input, digits.trim_end(), text)?;
-    match (factor, input.unit) {
+    let value = plain(variable, digits.trim_end(), text)?;
+    match (factor, variable.unit()) {
         (Some(factor), "rad") => Ok(value * factor),
         (None, "") => Ok(value / 100.0),
         (Some(_), unit) => Err(format!(
             "\"{text}\" is an angle, but {} is in {}",
-            input.name,
+            variable.name(),
             named(unit)
         )),
         (None, unit) => Err(format!(
             "\"{text}\" is a ratio, but {} is in {unit}",
-            input.name
+            variable.name()
         )),
     }
 }
@@ -152,15 +159,15 @@ fn named(unit: &str) -> &str {
     if unit.is_empty() { "no unit" } else { unit }
 }
 
-fn plain(input: &NumericInput, digits: &str, text: &str) -> Result<f64, String> {
-    let wanted = match input.allowed.to_string().as_str() {
+fn plain(variable: Variable, digits: &str, text: &str) -> Result<f64, String> {
+    let wanted = match variable.allowed().to_string().as_str() {
         "finite" => "a finite number".to_owned(),
         allowed => format!("a number {allowed}"),
     };
     if text.is_empty() {
         return Err(format!(
             "a value of {} is empty; {wanted} is wanted",
-            input.name
+            variable.name()
         ));
     }
     // `nan` and `inf` would be read as floats.
@@ -171,7 +178,7 @@ fn plain(input: &NumericInput, digits: &str, text: &str) -> Result<f64, String> 
         Ok(value) if !has_letters && value.is_finite() => Ok(value),
         _ => Err(format!(
             "\"{text}\" is no finite number; for {} {wanted} is wanted",
-            input.name
+            variable.name()
         )),
     }
 }
@@ -185,12 +192,8 @@ fn file_and_column(values: &str) -> Option<(&str, Option<&str>)> {
     }
 }
 
-/// An axis from a column of a CSV file, by default the one that is called like the input.
-fn from_file(
-    input: &'static NumericInput,
-    path: &str,
-    column: Option<&str>,
-) -> Result<Axis, String> {
+/// An axis from a column of a CSV file, by default the one that is called like the variable.
+fn from_file(variable: Variable, path: &str, column: Option<&str>) -> Result<Axis, String> {
     let cannot = |why: String| format!("cannot read `{path}`: {why}");
     let mut reader = csv::ReaderBuilder::new()
         .trim(csv::Trim::All)
@@ -203,13 +206,13 @@ fn from_file(
     let found = headings.iter().position(|heading| {
         let heading = heading.trim_start_matches('\u{feff}');
         column.map_or_else(
-            || NumericInput::find(heading) == Some(input),
+            || Variable::find(heading) == Some(variable),
             |column| heading == column,
         )
     });
     let place = found.ok_or_else(|| {
         let headings: Vec<_> = headings.iter().collect();
-        let column = column.unwrap_or(input.name);
+        let column = column.unwrap_or(variable.name());
         format!(
             "`{path}` has no column \"{column}\"; it has {}",
             headings.join(", ")
@@ -220,10 +223,10 @@ fn from_file(
         let record = record.map_err(|error| cannot(of_system(error)))?;
         let line = record.position().map_or(0, csv::Position::line);
         let cell = record.get(place).unwrap_or_default();
-        let value = number(input, cell).map_err(|why| format!("`{path}` line {line}: {why}"))?;
+        let value = number(variable, cell).map_err(|why| format!("`{path}` line {line}: {why}"))?;
         values.push(value);
     }
-    Axis::listed(input, values).map_err(|error| format!("`{path}`: {error}"))
+    Axis::listed(variable, values).map_err(|error| format!("`{path}`: {error}"))
 }
 
 /// The system's words for an error of the CSV reader, without its own preface.

@@ -93,7 +93,8 @@ fn origin(quantity: Quantity) -> Origin {
         Quantity::SirExactLower
         | Quantity::SirExactUpper
         | Quantity::CirExactLower
-        | Quantity::CirExactUpper => Origin::Iteration,
+        | Quantity::CirExactUpper
+        | Quantity::GrowthRate => Origin::Iteration,
     }
 }
 

@@ -1,11 +1,11 @@
-//! The axes of a scan: which inputs vary, and through which values.
+//! The axes of a scan: what varies, and through which values.
 
-use crate::rotor::NumericInput;
+use crate::variable::Variable;
 
 use super::error::ScanError;
 use super::sample::{Distribution, Sampling};
 
-/// One axis: one input that runs through values, or several that run together.
+/// One axis: one variable that runs through values, or several that run together.
 ///
 /// The values are known by their index. Those of a range or a sample are computed from it, so that
 /// an axis of $10^9$ values takes no memory and any part of it can be made alone.
@@ -15,10 +15,10 @@ pub struct Axis {
     length: u64,
 }
 
-/// What one input does along an axis.
+/// What one variable does along an axis.
 #[derive(Clone, Debug, PartialEq)]
 struct Column {
-    input: &'static NumericInput,
+    variable: Variable,
     values: Values,
 }
 
@@ -46,13 +46,14 @@ impl Axis {
     /// Values that are listed, in any order, as often as they are.
     ///
     /// # Errors
-    /// Where there is none, or the input does not allow one.
-    pub fn listed(input: &'static NumericInput, values: Vec<f64>) -> Result<Self, ScanError> {
+    /// Where there is none, or the variable does not allow one.
+    pub fn listed(variable: impl Into<Variable>, values: Vec<f64>) -> Result<Self, ScanError> {
+        let variable = variable.into();
         for (index, &value) in (0..).zip(&values) {
-            require_allowed(input, index, value)?;
+            require_allowed(variable, index, value)?;
         }
         let length = values.len() as u64;
-        Self::new(input, Values::Listed(values), length)
+        Self::new(variable, Values::Listed(values), length)
     }
 
     /// `count` evenly spaced values from `start` to `stop`, both included; downwards where `stop` is
@@ -61,12 +62,13 @@ impl Axis {
     /// # Errors
     /// Where `count` is 0, or 1 with two different ends; where the input does not allow an end.
     pub fn linear(
-        input: &'static NumericInput,
+        variable: impl Into<Variable>,
         (start, stop): (f64, f64),
         count: u64,
     ) -> Result<Self, ScanError> {
-        require_ends(input, (start, stop), count)?;
-        Self::new(input, Values::Linear { start, stop }, count)
+        let variable = variable.into();
+        require_ends(variable, (start, stop), count)?;
+        Self::new(variable, Values::Linear { start, stop }, count)
     }
 
     /// `count` values from `start` to `stop`, both included, with a constant ratio between
@@ -75,16 +77,17 @@ impl Axis {
     /// # Errors
     /// As [`Axis::linear`], and where an end is not above zero.
     pub fn logarithmic(
-        input: &'static NumericInput,
+        variable: impl Into<Variable>,
         (start, stop): (f64, f64),
         count: u64,
     ) -> Result<Self, ScanError> {
-        require_ends(input, (start, stop), count)?;
+        let variable = variable.into();
+        require_ends(variable, (start, stop), count)?;
         if !(start > 0.0 && stop > 0.0) {
-            let input = input.name;
+            let input = variable.name();
             return Err(ScanError::NoLogarithm { input, start, stop });
         }
-        Self::new(input, Values::Logarithmic { start, stop }, count)
+        Self::new(variable, Values::Logarithmic { start, stop }, count)
     }
 
     /// `count` points drawn at random: each input from its own distribution, independently.
@@ -95,20 +98,21 @@ impl Axis {
     /// # Errors
     /// Where nothing is drawn, an input is drawn twice, or a distribution's parameters are none.
     pub fn sampled(
-        inputs: &[(&'static NumericInput, Distribution)],
+        variables: &[(impl Into<Variable> + Copy, Distribution)],
         count: u64,
         sampling: Sampling,
     ) -> Result<Self, ScanError> {
         let columns = (0..)
-            .zip(inputs)
-            .map(|(dimension, &(input, distribution))| {
-                distribution.check(input.name)?;
+            .zip(variables)
+            .map(|(dimension, &(variable, distribution))| {
+                let variable = variable.into();
+                distribution.check(variable.name())?;
                 let values = Values::Sampled {
                     distribution,
                     sampling,
                     dimension,
                 };
-                Self::new(input, values, count)
+                Self::new(variable, values, count)
             });
         Self::linked(columns.collect::<Result<_, _>>()?)
     }
@@ -132,20 +136,22 @@ impl Axis {
                     other_length: axis.length,
                 });
             }
-            if let Some(input) = axis.inputs().find(|&input| linked.varies(input)) {
-                return Err(ScanError::VariedTwice { input: input.name });
+            if let Some(twice) = axis.variables().find(|variable| linked.varies(*variable)) {
+                let input = twice.name();
+                return Err(ScanError::VariedTwice { input });
             }
             linked.columns.extend(axis.columns);
         }
         linked.ok_or(ScanError::NoAxis)
     }
 
-    fn new(input: &'static NumericInput, values: Values, length: u64) -> Result<Self, ScanError> {
+    fn new(variable: Variable, values: Values, length: u64) -> Result<Self, ScanError> {
         if length == 0 {
-            return Err(ScanError::EmptyAxis { input: input.name });
+            let input = variable.name();
+            return Err(ScanError::EmptyAxis { input });
         }
         Ok(Self {
-            columns: vec![Column { input, values }],
+            columns: vec![Column { variable, values }],
             length,
         })
     }
@@ -156,9 +162,9 @@ impl Axis {
         self.length
     }
 
-    /// The inputs that vary along it.
-    pub fn inputs(&self) -> impl ExactSizeIterator<Item = &'static NumericInput> {
-        self.columns.iter().map(|column| column.input)
+    /// What varies along it.
+    pub fn variables(&self) -> impl ExactSizeIterator<Item = Variable> {
+        self.columns.iter().map(|column| column.variable)
     }
 
     /// All that its values depend on, in one line: two axes with the same description have the same
@@ -171,31 +177,34 @@ impl Axis {
         format!("{} {}", self.length, values.collect::<Vec<_>>().join(" "))
     }
 
-    /// The name of its first input, which errors call it by.
+    /// The name of its first variable, which errors call it by.
     pub(super) fn name(&self) -> &'static str {
-        self.columns.first().map_or("", |column| column.input.name)
+        self.columns
+            .first()
+            .map_or("", |column| column.variable.name())
     }
 
-    /// Whether an input varies along it.
-    pub fn varies(&self, input: &NumericInput) -> bool {
-        self.inputs().any(|other| other == input)
+    /// Whether this varies along it.
+    pub fn varies(&self, variable: impl Into<Variable>) -> bool {
+        let variable = variable.into();
+        self.variables().any(|other| other == variable)
     }
 
-    /// Whether its values are drawn, and so may be outside what their input allows.
+    /// Whether its values are drawn, and so may be outside what their variable allows.
     pub fn is_sampled(&self) -> bool {
         self.columns
             .iter()
             .any(|column| matches!(column.values, Values::Sampled { .. }))
     }
 
-    /// The value of its input number `column` at an index below [`Axis::len`].
+    /// The value of its variable number `column` at an index below [`Axis::len`].
     pub fn value(&self, column: usize, index: u64) -> f64 {
         let mut value = [f64::NAN];
         self.fill(column, index, &mut value);
         value[0]
     }
 
-    /// The values of its input number `column` from the index `first` on. What lies beyond the end
+    /// The values of its variable number `column` from the index `first` on. What lies beyond the end
     /// of the axis is left as it is.
     pub fn fill(&self, column: usize, first: u64, values: &mut [f64]) {
         let Some(column) = self.columns.get(column) else {
@@ -253,25 +262,25 @@ fn between(start: f64, stop: f64, index: u64, last: u64) -> f64 {
 }
 
 fn require_ends(
-    input: &'static NumericInput,
+    variable: Variable,
     (start, stop): (f64, f64),
     count: u64,
 ) -> Result<(), ScanError> {
-    require_allowed(input, 0, start)?;
-    require_allowed(input, count.saturating_sub(1), stop)?;
+    require_allowed(variable, 0, start)?;
+    require_allowed(variable, count.saturating_sub(1), stop)?;
     if count == 1 && start != stop {
-        let input = input.name;
+        let input = variable.name();
         return Err(ScanError::OneValueForTwoEnds { input, start, stop });
     }
     Ok(())
 }
 
-fn require_allowed(input: &'static NumericInput, index: u64, value: f64) -> Result<(), ScanError> {
-    if input.allowed.contains(value) {
+fn require_allowed(variable: Variable, index: u64, value: f64) -> Result<(), ScanError> {
+    if variable.allowed().contains(value) {
         Ok(())
     } else {
         Err(ScanError::NotAllowed {
-            input,
+            variable,
             index,
             value,
         })
@@ -282,8 +291,8 @@ fn require_allowed(input: &'static NumericInput, index: u64, value: f64) -> Resu
 mod tests {
     use super::*;
 
-    fn input(name: &str) -> &'static NumericInput {
-        NumericInput::find(name).unwrap()
+    fn input(name: &str) -> Variable {
+        Variable::find(name).unwrap()
     }
 
     fn all(axis: &Axis) -> Vec<f64> {

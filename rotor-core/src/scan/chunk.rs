@@ -81,7 +81,7 @@ impl<'a> Chunk<'a> {
         &self.counts
     }
 
-    /// The values at its points of the input number `column` of the axis number `axis`.
+    /// The values at its points of the variable number `column` of the axis number `axis`.
     pub fn inputs(&self, axis: usize, column: usize) -> Vec<f64> {
         let Some(varied) = self.space.axes().get(axis) else {
             return Vec::new();
@@ -184,7 +184,7 @@ impl<'a> Kernels<'a> {
             .and_then(|mut waiting| waiting.pop());
         waiting.or_else(|| {
             let (_, inner) = self.plan.space.outer_and_inner()?;
-            Some(Kernel::new(inner.inputs(), &self.plan.quantities))
+            Some(Kernel::new(inner.variables(), &self.plan.quantities))
         })
     }
 
@@ -231,7 +231,7 @@ pub(super) fn evaluate_blocks(
         kernel.enter(along, taken_here, |column, values| {
             inner.fill(column, along, values);
         });
-        let row = row_of(&plan.base, outer, row);
+        let (row, speed) = row_of(&plan.base, outer, row);
         counts.points += taken;
         let summaries = wanted.and_then(|wanted| Some((kernel.summaries(&row, wanted)?, wanted)));
         if let Some((summaries, wanted)) = summaries {
@@ -245,7 +245,7 @@ pub(super) fn evaluate_blocks(
         } else {
             let buffers = buffers.iter_mut().map(|buffer| &mut buffer[..taken_here]);
             let mut values: Vec<&mut [f64]> = buffers.collect();
-            let evaluated = kernel.evaluate(&row, &mut values);
+            let evaluated = kernel.evaluate(&row, speed, &mut values);
             counts.no_rotor += evaluated.no_rotor;
             if !evaluated.is_complete {
                 for (missing, values) in counts.missing.iter_mut().zip(&values) {
@@ -266,18 +266,18 @@ pub(super) fn evaluate_blocks(
     Some(counts)
 }
 
-/// The inputs of a row, those of the inner axis as they are in the base rotor.
-fn row_of(base: &RotorParameters, outer: &[Axis], row: u64) -> RotorParameters {
-    let mut parameters = *base;
+/// The inputs of a row, those of the inner axis as they are in the base rotor, and its speed where an outer axis has it.
+fn row_of(base: &RotorParameters, outer: &[Axis], row: u64) -> (RotorParameters, Option<f64>) {
+    let (mut parameters, mut speed) = (*base, None);
     let mut rest = row;
     for axis in outer.iter().rev() {
         let index = rest % axis.len();
         rest /= axis.len();
-        for (column, input) in axis.inputs().enumerate() {
-            (input.set)(&mut parameters, axis.value(column, index));
+        for (column, variable) in axis.variables().enumerate() {
+            variable.set(&mut parameters, &mut speed, axis.value(column, index));
         }
     }
-    parameters
+    (parameters, speed)
 }
 
 /// Evaluates a chunk and keeps its results.

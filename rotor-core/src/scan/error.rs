@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use crate::rotor::NumericInput;
+use crate::variable::Variable;
 
 use super::space::MOST_POINTS;
 
@@ -30,10 +30,10 @@ pub enum ScanError {
     },
     /// A value that the input does not allow, NaN among them.
     #[error("value {} of the axis of {name} is {value}; it must be {allowed}", .index + 1,
-        name = .input.name, allowed = .input.allowed)]
+        name = .variable.name(), allowed = .variable.allowed())]
     NotAllowed {
-        /// The input.
-        input: &'static NumericInput,
+        /// What varies.
+        variable: Variable,
         /// Which value of the axis, from 0.
         index: u64,
         /// The value.
@@ -91,6 +91,15 @@ pub enum ScanError {
     /// No result is asked for.
     #[error("no quantity is asked for; a scan needs at least one")]
     NoQuantity,
+    /// A quantity that depends on the speed, which is not varied.
+    #[error(
+        "{quantity} is at a speed, which is not varied; vary it, also if it has one value, as in \
+         speed=0.5:2:301 or speed=0.93"
+    )]
+    NoSpeed {
+        /// The quantity.
+        quantity: &'static str,
+    },
     /// More points than can be counted.
     #[error(
         "the axes have {lengths} values, together more than {MOST_POINTS} points (2^53), the most \

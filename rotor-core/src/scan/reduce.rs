@@ -7,8 +7,8 @@ mod cells;
 
 use std::fmt;
 
-use crate::rotor::NumericInput;
 use crate::summary::{Bins, MOST_THRESHOLDS, Wanted};
+use crate::variable::Variable;
 
 use super::Plan;
 use super::chunk::{self, Block, Results};
@@ -105,7 +105,7 @@ impl fmt::Display for Statistic {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reduction {
     statistic: Statistic,
-    over: Vec<&'static NumericInput>,
+    over: Vec<Variable>,
 }
 
 impl Reduction {
@@ -117,10 +117,10 @@ impl Reduction {
         }
     }
 
-    /// Only over the axis of this input, and of others given so.
+    /// Only over the axis of this variable, and of others given so.
     #[must_use]
-    pub fn over(mut self, input: &'static NumericInput) -> Self {
-        self.over.push(input);
+    pub fn over(mut self, variable: impl Into<Variable>) -> Self {
+        self.over.push(variable.into());
         self
     }
 
@@ -134,9 +134,9 @@ impl Reduction {
 impl fmt::Display for Reduction {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}", self.statistic)?;
-        for (index, input) in self.over.iter().enumerate() {
+        for (index, variable) in self.over.iter().enumerate() {
             let separator = if index == 0 { ':' } else { '+' };
-            write!(f, "{separator}{}", input.name)?;
+            write!(f, "{separator}{}", variable.name())?;
         }
         Ok(())
     }
@@ -178,16 +178,16 @@ pub(super) fn groupings(
 fn grouping(reduction: &Reduction, space: &Space) -> Result<Grouping, ScanError> {
     reduction.statistic.check()?;
     let axes = space.axes();
-    if let Some(input) = reduction
+    if let Some(missing) = reduction
         .over
         .iter()
-        .find(|&&input| !axes.iter().any(|axis| axis.varies(input)))
+        .find(|&&variable| !axes.iter().any(|axis| axis.varies(variable)))
     {
-        let inputs = axes.iter().flat_map(super::Axis::inputs);
-        let varied: Vec<_> = inputs.map(|input| input.name).collect();
+        let variables = axes.iter().flat_map(super::Axis::variables);
+        let varied: Vec<_> = variables.map(Variable::name).collect();
         return Err(ScanError::NotVaried {
             reduction: reduction.to_string(),
-            input: input.name,
+            input: missing.name(),
             varied: varied.join(", "),
         });
     }
@@ -195,7 +195,7 @@ fn grouping(reduction: &Reduction, space: &Space) -> Result<Grouping, ScanError>
     let mut groups = 1;
     for (axis, stride) in axes.iter().zip(&mut strides).rev() {
         let all = reduction.over.is_empty();
-        if !all && !reduction.over.iter().any(|&input| axis.varies(input)) {
+        if !all && !reduction.over.iter().any(|&variable| axis.varies(variable)) {
             *stride = groups;
             groups *= axis.len();
         }

@@ -1,5 +1,7 @@
 //! The points of a scan: the product of its axes.
 
+use crate::variable::Variable;
+
 use super::axis::Axis;
 use super::error::ScanError;
 
@@ -23,10 +25,10 @@ impl Space {
     pub fn new(axes: Vec<Axis>) -> Result<Self, ScanError> {
         for (index, axis) in axes.iter().enumerate() {
             let before = axes.get(..index).unwrap_or_default();
-            let mut inputs = axis.inputs();
-            if let Some(input) = inputs.find(|&input| before.iter().any(|axis| axis.varies(input)))
-            {
-                return Err(ScanError::VariedTwice { input: input.name });
+            let is_varied = |variable: &Variable| before.iter().any(|axis| axis.varies(*variable));
+            if let Some(twice) = axis.variables().find(is_varied) {
+                let input = twice.name();
+                return Err(ScanError::VariedTwice { input });
             }
         }
         if axes.is_empty() {
