@@ -45,7 +45,9 @@ fn points(plan: &Plan) -> Vec<Point> {
     for chunk in plan.chunks() {
         let axes = plan.space().axes().iter().enumerate();
         let inputs: Vec<_> = axes
-            .flat_map(|(number, axis)| (0..axis.inputs().len()).map(move |column| (number, column)))
+            .flat_map(|(number, axis)| {
+                (0..axis.variables().len()).map(move |column| (number, column))
+            })
             .map(|(number, column)| chunk.inputs(number, column))
             .collect();
         let quantities: Vec<Vec<_>> = (0..plan.quantities().len())

@@ -112,7 +112,7 @@ fn reductions_go_over_the_speed() {
     let reduced = &plan.reduce(&Control::default()).unwrap().reduced[0];
     assert_eq!(reduced.groups(), 4);
     for group in 0..4 {
-        let depth = depths().value(0, group as u64);
+        let depth = depths().value(0, group);
         let all = (0..speeds().len()).map(|index| at(depth, speeds().value(0, index))[0].unwrap());
         assert_eq!(reduced.value(0, group), Some(all.fold(0.0, f64::max)));
     }

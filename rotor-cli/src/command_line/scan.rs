@@ -32,7 +32,7 @@ use super::EXIT_CODES;
   $ rotor scan --vary crack.angle=0,45deg --vary disk.mass=1:100:9:log -q beta -r max:crack.angle\n  \
   $ rotor scan --sample 'disk.asymmetry=normal(0.2,0.01)' --count 1e4 --seed 7 -q sir_width -o b.npy\n  \
   $ rotor scan --vary crack.depth_ratio=0:0.4:97 --vary crack.angle=0:3:97 -q cir_width --plot m.svg\n  \
-  $ rotor scan --vary crack.depth_ratio=0:0.4:97 --vary speed=0.6:1.8:301 -q growth_rate --plot g.svg\n\n\
+  $ rotor scan --vary crack.depth_ratio=0:0.4:97 --vary speed=0.6:1.8:97 -q growth_rate --plot g.svg\n\n\
 Quantities: {}\n\
 Inputs: {}\n\
 Reductions: max, min, argmax, argmin, mean, count(THRESHOLD), histogram(LOW,HIGH,BINS)\n\
