@@ -164,7 +164,9 @@ impl Bench {
         if self.results.len() != columns
             || self.results.first().is_none_or(|first| first.len() != rows)
         {
-            self.results = (0..columns).map(|_| Column::zeros(rows)).collect();
+            self.results = (0..columns)
+                .map(|place| Column::zeros(rows, place))
+                .collect();
         }
     }
 }
@@ -309,7 +311,7 @@ fn tables<A, const TABLES: usize>(angles: &[f64]) -> Result<[Column; TABLES], Ca
 where
     A: Kernel<0, 1, TABLES>,
 {
-    let mut tables = [(); TABLES].map(|()| Column::zeros(angles.len()));
+    let mut tables = [(); TABLES].map(|()| Column::zeros(angles.len(), 0));
     let slices = tables.each_mut().map(|table| &mut **table);
     store::<A, ALL, 0, 1, TABLES>(Level::best(), &[], [angles], slices).map_err(columns_error)?;
     Ok(tables)
@@ -430,9 +432,12 @@ fn physical_columns() -> Vec<Column> {
         0.8,
     ];
     let column = |(place, value): (usize, f64)| {
-        inputs::spread(place, 0.95 * value, 1.05 * value, PHYSICAL)[..].into()
+        Column::input(
+            place,
+            &inputs::spread(place, 0.95 * value, 1.05 * value, PHYSICAL),
+        )
     };
-    let edge_factor = [32.0; PHYSICAL][..].into();
+    let edge_factor = Column::input(around.len(), &[32.0; PHYSICAL]);
     let varied = around.into_iter().enumerate().map(column);
     varied.chain([edge_factor]).collect()
 }

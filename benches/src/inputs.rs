@@ -39,7 +39,7 @@ pub fn spread(column: usize, lower: f64, upper: f64, count: usize) -> Vec<f64> {
 /// All dimensionless columns.
 pub fn columns(count: usize) -> Vec<Column> {
     let column = |(place, (_, lower, upper)): (usize, &(&str, f64, f64))| {
-        spread(place, *lower, *upper, count)[..].into()
+        Column::input(place, &spread(place, *lower, *upper, count))
     };
     COLUMNS.iter().enumerate().map(column).collect()
 }
