@@ -14,6 +14,7 @@ pub mod fingerprint;
 pub mod homogeneous;
 pub mod identities;
 pub mod lower;
+pub mod multiples;
 pub mod pairs;
 pub mod quotients;
 pub mod repeats;

@@ -141,6 +141,44 @@ fn a_coefficient_is_shared_like_a_factor() {
 }
 
 #[test]
+fn a_coefficient_of_a_quotient_is_one_of_its_numerator() {
+    // 3·x0 and 3·(x0/x1): 3·x0 once.
+    let (mut circuit, x) = circuit(2);
+    let quotient = circuit.push(Operation::Quotient(x[0], x[1]));
+    let multiples = [
+        sum(&mut circuit, &[(x[0], 3)]),
+        sum(&mut circuit, &[(quotient, 3)]),
+    ];
+    circuit.outputs = multiples.to_vec();
+    extract(&mut circuit, &[]);
+    assert_eq!((circuit.cost().mul, circuit.cost().div), (1, 1));
+}
+
+#[test]
+fn products_are_multiples_of_others_where_that_spares_a_factor() {
+    // With 2·x0·x1 and 2·x0·x2, 4·x0·x1 and 4·x0·x2 are twice these, and 4·x0 is not needed.
+    let (mut circuit, x) = circuit(3);
+    let [twice, four_times] = [2, 4].map(|factor| sum(&mut circuit, &[(x[0], factor)]));
+    let of = |circuit: &mut Circuit, multiple| {
+        [x[1], x[2]].map(|other| product(circuit, &[multiple, other]))
+    };
+    let (twice, mut four_times) = (
+        of(&mut circuit, twice),
+        of(&mut circuit, four_times).to_vec(),
+    );
+    circuit.outputs = [&twice[..], &four_times].concat();
+    let mut spared = circuit.clone();
+    extract(&mut spared, &[]);
+    assert_eq!(spared.cost().mul, 5);
+    // Where 4·x0 is needed all the same, nothing is spared.
+    let needed = sum(&mut circuit, &[(x[0], 4)]);
+    four_times.push(needed);
+    circuit.outputs = [&twice[..], &four_times].concat();
+    extract(&mut circuit, &[]);
+    assert_eq!(circuit.cost().mul, 6);
+}
+
+#[test]
 fn a_product_that_is_needed_alone_is_one_factor_of_its_multiple() {
     let (mut circuit, x) = circuit(2);
     let both = product(&mut circuit, &[x[0], x[1]]);

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use smallvec::smallvec;
 
 use super::circuit::{Circuit, Net, Operation, Terms};
-use super::{coefficients, pairs, quotients, repeats};
+use super::{coefficients, multiples, pairs, quotients, repeats};
 use crate::graph::Rational;
 
 /// One kind of extraction.
@@ -64,12 +64,14 @@ pub fn extract(circuit: &mut Circuit, steps: &[Step]) {
     }
     repeats::merge(circuit);
     divide_by_lone_divisors(circuit);
-    share_multiples(circuit);
+    multiples::share(circuit);
     circuit.tidy();
     // A multiple of an inverse that has become its only user.
     divide_by_lone_divisors(circuit);
     circuit.tidy();
     quotients::share(circuit);
+    circuit.tidy();
+    multiples::share(circuit);
     circuit.tidy_by_inputs();
 }
 
@@ -136,73 +138,6 @@ fn divide_in_terms(
     }
 }
 
-/// A multiple that several sums have is computed once: `0.5·s − a`, `0.5·s − b`; and so is that of a factor which several
-/// multiples of products have: `3·x·r`, `3·y·r`.
-fn share_multiples(circuit: &mut Circuit) {
-    let mut counts: BTreeMap<(Net, Rational), usize> = BTreeMap::new();
-    let multiples = |circuit: &Circuit, net: Net| match circuit.operation(net) {
-        Operation::Sum(terms) => terms.clone(),
-        _ => Terms::new(),
-    };
-    let is_multiple = |circuit: &Circuit, operand: Net, coefficient: &Rational| {
-        !coefficient.is_unit() && circuit.as_number(operand).is_none()
-    };
-    let uses = circuit.uses();
-    for net in circuit.nets() {
-        for (operand, coefficient) in multiples(circuit, net) {
-            if !is_multiple(circuit, operand, &coefficient) {
-                continue;
-            }
-            let mut count = |net: Net| {
-                *counts.entry((net, coefficient.abs())).or_insert(0) += 1;
-            };
-            count(operand);
-            if let Operation::Product(factors) = circuit.operation(operand)
-                && uses[operand.index()] == 1
-            {
-                let simple = factors.iter().filter(|(_, power)| *power == 1);
-                simple.for_each(|(factor, _)| count(*factor));
-            }
-        }
-    }
-    let shared = |operand: Net, coefficient: &Rational| {
-        let key = (operand, coefficient.abs());
-        counts
-            .get(&key)
-            .is_some_and(|count| *count > 1)
-            .then_some(key)
-    };
-    for net in circuit.nets() {
-        let mut terms = multiples(circuit, net);
-        // A multiple by itself is what the others share; its negative is no multiplication of its own.
-        let alone = terms.len() < 2 && terms.iter().all(|(_, q)| q.is_positive());
-        for (operand, coefficient) in &mut terms {
-            let of_sum = shared(*operand, coefficient).filter(|_| !alone);
-            if let Some(key) = of_sum {
-                *operand = circuit.push(Operation::Sum(smallvec![key]));
-                *coefficient = coefficient.signum();
-                continue;
-            }
-            // The multiple of a product is the product with that multiple of a factor.
-            let Operation::Product(mut factors) = circuit.operation(*operand).clone() else {
-                continue;
-            };
-            let of_factor = factors.iter_mut().find_map(|(factor, power)| {
-                let key = shared(*factor, coefficient).filter(|_| *power == 1)?;
-                Some((factor, key))
-            });
-            if let Some((factor, key)) = of_factor.filter(|_| uses[operand.index()] == 1) {
-                *factor = circuit.push(Operation::Sum(smallvec![key]));
-                *operand = circuit.product(factors);
-                *coefficient = coefficient.signum();
-            }
-        }
-        if !terms.is_empty() {
-            circuit.replace(net, Operation::Sum(sorted(terms)));
-        }
-    }
-}
-
 /// A term of a sum, taken apart.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Term {
@@ -243,7 +178,7 @@ fn factor_sums(circuit: &mut Circuit, shared: bool) {
     }
 }
 
-fn sorted(mut terms: Terms) -> Terms {
+pub(super) fn sorted(mut terms: Terms) -> Terms {
     terms.sort_by_key(|(net, _)| *net);
     terms
 }

@@ -17,6 +17,7 @@ pub fn merge(circuit: &mut Circuit) {
     let first: Vec<Residue> = values.iter().map(|value| value[0]).collect();
     let inverses = Residue::inverses(&first);
     let mut known: FxHashMap<Residue, Net> = FxHashMap::default();
+    let mut as_dear = Vec::new();
     for net in circuit.nets() {
         let value = values[net.index()];
         if circuit.as_number(net).is_some() {
@@ -37,13 +38,36 @@ pub fn merge(circuit: &mut Circuit) {
             continue;
         };
         let cost = circuit.cost_of(net).weight();
-        let saved = cost > usize::from(numerator.abs() != denominator);
-        if saved && numerator != 0 {
-            let factor = ratio(numerator, denominator);
-            circuit.replace(net, Operation::Sum(smallvec![(earlier, factor)]));
+        let cost_of_multiple = usize::from(numerator.abs() != denominator);
+        let multiple = Operation::Sum(smallvec![(earlier, ratio(numerator, denominator))]);
+        if numerator != 0 && cost > cost_of_multiple {
+            circuit.replace(net, multiple);
+        } else if numerator != 0 && cost == cost_of_multiple {
+            as_dear.push((net, multiple));
         }
     }
+    replace_as_dear(circuit, as_dear);
     circuit.tidy();
+}
+
+/// Products that cost as much as multiples of others are replaced where nothing else needs one of their factors: with
+/// 2·x, y·(2·x), z·(2·x) and 4·x, y·(4·x), z·(4·x) the last three are 2·(y·(2·x)) and 2·(z·(2·x)).
+fn replace_as_dear(circuit: &mut Circuit, as_dear: Vec<(Net, Operation)>) {
+    let uses = circuit.live_uses();
+    let mut replaced: FxHashMap<Net, usize> = FxHashMap::default();
+    for (net, _) in as_dear.iter().filter(|(net, _)| uses[net.index()] > 0) {
+        circuit.each_operand(*net, |operand| *replaced.entry(operand).or_default() += 1);
+    }
+    for (net, multiple) in as_dear {
+        let mut is_freed = false;
+        circuit.each_operand(net, |operand| {
+            let is_alone = replaced.get(&operand) == Some(&uses[operand.index()]);
+            is_freed |= is_alone && circuit.cost_of(operand).weight() > 0;
+        });
+        if is_freed {
+            circuit.replace(net, multiple);
+        }
+    }
 }
 
 fn value_at(circuit: &Circuit, net: Net, point: u64, values: &[Fingerprint]) -> Residue {
