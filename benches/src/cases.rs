@@ -13,7 +13,7 @@ use rotor_core::quantity::Quantity;
 use rotor_core::rotor::INPUTS;
 use rotor_core::table::{self, TableError};
 
-use crate::column::Column;
+use crate::column::{Column, FIRST_INPUT};
 use crate::inputs::{self, BLOCK, PHYSICAL, ROTOR, STREAM};
 
 /// A case that could not be prepared or run.
@@ -311,7 +311,8 @@ fn tables<A, const TABLES: usize>(angles: &[f64]) -> Result<[Column; TABLES], Ca
 where
     A: Kernel<0, 1, TABLES>,
 {
-    let mut tables = [(); TABLES].map(|()| Column::zeros(angles.len(), 0));
+    let table = |place| Column::zeros(angles.len(), FIRST_INPUT + place);
+    let mut tables: [Column; TABLES] = std::array::from_fn(table);
     let slices = tables.each_mut().map(|table| &mut **table);
     store::<A, ALL, 0, 1, TABLES>(Level::best(), &[], [angles], slices).map_err(columns_error)?;
     Ok(tables)

@@ -13,10 +13,10 @@ const PAGE: usize = 4096;
 const LINE: usize = 64;
 
 /// The line of the first input: there are no more results than that.
-const INPUTS: usize = 26;
+pub const FIRST_INPUT: usize = 26;
 
 /// Numbers that start with a certain line of a page.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug)]
 pub struct Column {
     memory: Vec<f64>,
     first: usize,
@@ -38,7 +38,7 @@ impl Column {
 
     /// An input: these numbers from the line of its number on.
     pub fn input(number: usize, numbers: &[f64]) -> Self {
-        let mut column = Self::zeros(numbers.len(), INPUTS + number);
+        let mut column = Self::zeros(numbers.len(), FIRST_INPUT + number);
         column.copy_from_slice(numbers);
         column
     }

@@ -6,7 +6,7 @@
 //! | [`python`] | formulas from Rust to Python, so that every tool reads the same text |
 //! | [`export`] | what the Python side of `peers/` reads |
 //! | [`inputs`] | the numbers that every tool computes from |
-//! | [`column`] | columns of numbers, each from a line of its own on |
+//! | [`mod@column`] | columns of numbers, each from a line of its own on |
 //! | [`cases`] | what is timed, a function for each |
 
 pub mod cases;

@@ -84,7 +84,6 @@ impl Number for f64 {
     }
 }
 
-/// One node's value from the values of its operands. Integrals have none here.
 /// A term of a sum; most are of the coefficient 1.
 fn multiple<T: Number>(coefficient: &Rational, value: T) -> T {
     if coefficient.is_one() {
@@ -94,6 +93,7 @@ fn multiple<T: Number>(coefficient: &Rational, value: T) -> T {
     }
 }
 
+/// One node's value from the values of its operands. Integrals have none here.
 fn node_value<T: Number>(
     graph: &Graph,
     id: ExprId,

@@ -170,6 +170,21 @@ fn products_are_multiples_of_others_where_that_spares_a_factor() {
     let mut spared = circuit.clone();
     extract(&mut spared, &[]);
     assert_eq!(spared.cost().mul, 5);
+    // A multiple of a sum is no multiple of a third of itself: 3·s, x2·(3·s), x2·s.
+    let (mut of_sum, y) = self::circuit(3);
+    let s = sum(&mut of_sum, &[(y[0], 1), (y[1], 1)]);
+    let thrice = sum(&mut of_sum, &[(s, 3)]);
+    of_sum.outputs = vec![
+        product(&mut of_sum, &[y[2], thrice]),
+        product(&mut of_sum, &[y[2], s]),
+    ];
+    let before = of_sum.cost().operations();
+    extract(&mut of_sum, &[]);
+    assert!(of_sum.cost().operations() <= before);
+    let third = of_sum.nets().any(|net| {
+        matches!(of_sum.operation(net), Operation::Sum(terms) if terms.iter().any(|(_, q)| !q.is_integer()))
+    });
+    assert!(!third, "{of_sum:?}");
     // Where 4·x0 is needed all the same, nothing is spared.
     let needed = sum(&mut circuit, &[(x[0], 4)]);
     four_times.push(needed);

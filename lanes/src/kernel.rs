@@ -151,7 +151,8 @@ where
 }
 
 /// Evaluates a kernel for the rows of a grid, line after line, and writes past the caches where the level is AVX-512. It
-/// is for grids of more results than the caches hold; what is read soon is better off with [`store`].
+/// is for grids of more results than the caches hold; what is read soon is better off with [`store`]. The columns are copied,
+/// twice: to where reading them does not wait for stores.
 ///
 /// Each line has its fixed numbers and its results, `along` is that of all. For `WANTED` see [`store`].
 ///

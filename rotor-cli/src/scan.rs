@@ -29,7 +29,7 @@ use progress::Progress;
 const BETWEEN_STATES: Duration = Duration::from_secs(2);
 
 /// The names of what can be varied on the command line.
-pub(crate) fn input_names() -> Vec<String> {
+pub(crate) fn variable_names() -> Vec<String> {
     let inputs = INPUTS.iter().map(Variable::from);
     inputs
         .chain([Variable::Speed])

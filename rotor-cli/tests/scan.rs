@@ -213,7 +213,7 @@ const WRONG_AXES: [(&str, &str); 26] = [
     ),
     (
         "crack.angle",
-        "\"crack.angle\" has no `=`; an input and its values are wanted, as crack.angle=0deg:180deg:91",
+        "\"crack.angle\" has no `=`; an input or the speed and its values are wanted, as crack.angle=0deg:180deg:91",
     ),
     (
         "crack.angle=",
@@ -307,6 +307,8 @@ fn the_speed_is_an_axis_for_what_is_at_a_speed() {
             .stdout
             .contains("growth_rate")
     );
+    let halves = scan("--vary speed=74%,0.74 -q growth_rate");
+    assert_eq!(cells(&halves.stdout)[1], cells(&halves.stdout)[2]);
     let unsaid = refused("--vary crack.angle=0 -q growth_rate");
     assert!(
         unsaid.contains("growth_rate is at a speed, which is not varied"),

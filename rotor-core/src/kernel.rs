@@ -113,7 +113,7 @@ impl<'a> Kernel<'a> {
         let place = |wanted| quantities.iter().position(|quantity| *quantity == wanted);
         let places = [Quantity::SirWidth, Quantity::CirWidth].map(place);
         let only_widths = places.iter().flatten().count() == quantities.len();
-        let staged = Widths::along(&inputs).filter(|_| only_widths && !inputs.is_empty());
+        let staged = Widths::along(&inputs).filter(|_| only_widths);
         let open = quantities.iter().filter(|quantity| !is_closed(**quantity));
         Self {
             quantities,
@@ -332,6 +332,11 @@ impl<'a> Kernel<'a> {
         let rotor = Rotor::new(*row);
         let shared = rotor.as_ref().map(Shared::new);
         for (quantity, result) in self.quantities.iter().zip(results) {
+            if !quantity.needs_speed() {
+                let value = shared.as_ref().map(|shared| shared.get(*quantity, None));
+                result.fill(value.map_or(f64::NAN, |value| number_of(&value)));
+                continue;
+            }
             for (result, speed) in result.iter_mut().zip(speeds) {
                 let value = shared
                     .as_ref()

@@ -11,7 +11,7 @@ use crate::region::{self, NoEnds, NoRegion, RegionKind};
 use crate::rotor::{NoCoefficients, Rotor};
 use crate::stability::{self, Ends, StabilityError};
 
-/// A result that a rotor has.
+/// A result that a rotor has, or has at a speed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(usize)]
 pub enum Quantity {
@@ -70,7 +70,8 @@ type Row = (
     &'static str,
 );
 
-const RELATIVE: &str = "× reference speed";
+/// The unit of speeds, widths and growth rates: the reference speed $\omega_{st}$ of the rotor that they are of.
+pub const RELATIVE: &str = "× reference speed";
 
 /// One row for each quantity, in the order of the variants.
 #[rustfmt::skip]

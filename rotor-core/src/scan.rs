@@ -1,6 +1,6 @@
 //! Scans: quantities over grids and samples of rotors, in parallel and in bounded memory.
 //!
-//! A [`Scan`] varies inputs of a rotor along [`Axis`] after [`Axis`]; its points are their product,
+//! A [`Scan`] varies inputs of a rotor, or its speed, along [`Axis`] after [`Axis`]; its points are their product,
 //! the last axis innermost. A [`Plan`] is a scan that has been checked. It is computed chunk by
 //! chunk, on all cores, and what comes out is the same for every number of threads:
 //!

@@ -51,6 +51,12 @@ pub enum TableError {
         /// The length of that.
         expected: usize,
     },
+    /// A quantity that is at a speed: a table has none.
+    #[error("{quantity} is at a speed, and a table of rotors has none")]
+    NoSpeed {
+        /// The quantity.
+        quantity: &'static str,
+    },
     /// An input has two columns.
     #[error("{input} has two columns; an input has one at most")]
     Twice {
@@ -64,13 +70,17 @@ pub enum TableError {
 /// [`quantity::evaluate`](crate::quantity::evaluate) says why.
 ///
 /// # Errors
-/// Where there is no column, columns differ in their lengths, or two are of one input.
+/// Where there is no column, columns differ in their lengths, two are of one input, or a quantity is at a speed.
 pub fn evaluate(
     base: &RotorParameters,
     columns: &[Column<'_>],
     quantities: &[Quantity],
 ) -> Result<Vec<Vec<f64>>, TableError> {
     let length = check(columns)?;
+    if let Some(quantity) = quantities.iter().find(|quantity| quantity.needs_speed()) {
+        let quantity = quantity.name();
+        return Err(TableError::NoSpeed { quantity });
+    }
     let mut results = vec![vec![f64::NAN; length]; quantities.len()];
     let mut kernel = Kernel::new(columns.iter().map(|column| column.input.into()), quantities);
     for from in (0..length).step_by(POINTS_PER_BLOCK) {

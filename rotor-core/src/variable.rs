@@ -1,5 +1,6 @@
 //! What an axis varies.
 
+use crate::quantity::RELATIVE;
 use crate::rotor::{Allowed, Bound, NumericInput, RotorParameters};
 
 /// What varies along an axis: an input of the rotor, or the speed at which it runs.
@@ -49,7 +50,7 @@ impl Variable {
     pub const fn unit(self) -> &'static str {
         match self {
             Self::Input(input) => input.unit,
-            Self::Speed => "× reference speed",
+            Self::Speed => RELATIVE,
         }
     }
 
@@ -73,7 +74,7 @@ impl Variable {
     }
 
     /// Writes it where it belongs.
-    pub fn set(self, parameters: &mut RotorParameters, speed: &mut Option<f64>, value: f64) {
+    pub(crate) fn set(self, parameters: &mut RotorParameters, speed: &mut Option<f64>, value: f64) {
         match self {
             Self::Input(input) => (input.set)(parameters, value),
             Self::Speed => *speed = Some(value),

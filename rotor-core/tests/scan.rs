@@ -48,7 +48,7 @@ fn points(plan: &Plan) -> Vec<Point> {
             .flat_map(|(number, axis)| {
                 (0..axis.variables().len()).map(move |column| (number, column))
             })
-            .map(|(number, column)| chunk.inputs(number, column))
+            .map(|(number, column)| chunk.values(number, column))
             .collect();
         let quantities: Vec<Vec<_>> = (0..plan.quantities().len())
             .map(|quantity| chunk.quantity(quantity).iter().collect())

@@ -4,7 +4,7 @@
 use rotor_core::quantity::{self, Quantity};
 use rotor_core::rotor::{CrackModel, INPUTS, NumericInput, Rotor, RotorParameters};
 use rotor_core::scan::{
-    Axis, Control, Distribution, Plan, Reduced, Reduction, Sampling, Scan, Statistic,
+    Axis, Control, Distribution, Plan, Reduced, Reduction, Sampling, Scan, Statistic, Variable,
 };
 
 const WIDTHS: [Quantity; 2] = [Quantity::SirWidth, Quantity::CirWidth];
@@ -126,8 +126,10 @@ fn inputs_that_vary_together_are_as_by_points() {
     for point in 0..50 {
         let mut p = base;
         for axis in &axes {
-            let varied = axis.variables().next().unwrap();
-            varied.set(&mut p, &mut None, axis.value(0, point));
+            let Some(Variable::Input(varied)) = axis.variables().next() else {
+                panic!("an axis of an input");
+            };
+            (varied.set)(&mut p, axis.value(0, point));
         }
         let expected = quantity::evaluate(&WIDTHS, &Rotor::new(p).unwrap());
         for (found, expected) in found.iter().zip(expected) {

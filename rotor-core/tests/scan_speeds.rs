@@ -3,8 +3,11 @@
 
 use rotor_core::quantity::{self, Quantity, Reason};
 use rotor_core::rotor::{NumericInput, Rotor, RotorParameters};
-use rotor_core::scan::{Axis, Control, Plan, Reduction, Scan, ScanError, Statistic, Variable};
+use rotor_core::scan::{
+    Axis, Control, Distribution, Plan, Reduction, Sampling, Scan, ScanError, Statistic, Variable,
+};
 use rotor_core::stability;
+use rotor_core::table::{self, Column};
 
 const ASKED: [Quantity; 3] = [
     Quantity::GrowthRate,
@@ -144,6 +147,16 @@ fn without_a_speed_or_a_rotor_there_is_none() {
         not_allowed.to_string(),
         "value 1 of the axis of speed is 0; it must be > 0"
     );
+    let asked = [Quantity::GrowthRate];
+    let column = Column {
+        input: NumericInput::find("crack_angle").unwrap(),
+        values: &[0.0],
+    };
+    let refused = table::evaluate(&RotorParameters::PAPER, &[column], &asked).unwrap_err();
+    assert_eq!(
+        refused.to_string(),
+        "growth_rate is at a speed, and a table of rotors has none"
+    );
     // With twice the diametral inertia and more, a disk is none.
     let inertia = NumericInput::find("disk_polar_inertia").unwrap();
     let wide = RotorParameters::PAPER.disk_diametral_inertia * 2.5;
@@ -158,4 +171,26 @@ fn without_a_speed_or_a_rotor_there_is_none() {
         (chunk.counts().no_rotor, chunk.counts().missing[0]),
         (61, 61)
     );
+}
+
+#[test]
+fn at_a_speed_that_is_drawn_and_not_allowed_there_is_no_growth_rate() {
+    let wide = Distribution::Uniform {
+        low: -1.0,
+        high: 1.0,
+    };
+    let sampling = Sampling::Sobol { seed: 3 };
+    let drawn = Axis::sampled(&[(Variable::Speed, wide)], 64, sampling).unwrap();
+    let not_allowed = (0..64)
+        .filter(|index| drawn.value(0, *index) <= 0.0)
+        .count() as u64;
+    assert!((28..=36).contains(&not_allowed));
+    for axes in [vec![drawn.clone()], vec![drawn, depths()]] {
+        let depths = axes.get(1).map_or(1, Axis::len);
+        let plan = plan(axes);
+        let chunk = plan.chunks().next().unwrap();
+        let counts = chunk.counts();
+        assert_eq!(counts.missing, [not_allowed * depths, 0, 0]);
+        assert_eq!(counts.no_rotor, 0);
+    }
 }

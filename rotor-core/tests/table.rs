@@ -12,14 +12,18 @@ fn input(name: &str) -> &'static NumericInput {
 
 /// Holds a table against its rotors one by one: the same numbers, bit by bit, and nothing where they have nothing.
 fn assert_as_alone(base: RotorParameters, columns: &[Column<'_>]) {
-    let found = evaluate(&base, columns, &Quantity::ALL).unwrap();
+    let of_rotor = Quantity::ALL
+        .into_iter()
+        .filter(|quantity| !quantity.needs_speed());
+    let quantities: Vec<_> = of_rotor.collect();
+    let found = evaluate(&base, columns, &quantities).unwrap();
     for row in 0..columns[0].values.len() {
         let mut parameters = base;
         for column in columns {
             (column.input.set)(&mut parameters, column.values[row]);
         }
         let rotor = Rotor::new(parameters);
-        for (place, quantity) in Quantity::ALL.into_iter().enumerate() {
+        for (place, quantity) in quantities.iter().enumerate() {
             let expected = rotor.as_ref().ok();
             let expected = expected.and_then(|rotor| quantity.evaluate(rotor).ok());
             let found = Some(found[place][row]).filter(|value| !value.is_nan());

@@ -87,7 +87,9 @@ fn counts(root: &Path) -> Result<Vec<(&'static str, u64)>, String> {
 /// first's.
 fn count(program: &Path, case: &str) -> Result<u64, String> {
     let [one, two] = [1, 2].map(|runs| collected(program, case, runs));
-    Ok(two?.saturating_sub(one?))
+    let (one, two) = (one?, two?);
+    let count = two.checked_sub(one).filter(|count| *count > 0);
+    count.ok_or_else(|| format!("{case} took {one} instructions once, and {two} twice"))
 }
 
 /// The instructions of so many runs.

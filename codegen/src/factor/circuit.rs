@@ -337,16 +337,15 @@ impl Circuit {
         let mut swept = Self::with_capacity(self.operations.len());
         let mut images: Vec<Net> = Vec::with_capacity(self.operations.len());
         for (operation, uses) in self.operations.into_iter().zip(&uses) {
-            images.push(Net(swept.operations.len() as u32));
-            // Its image is never looked at: an operation that is needed has no operand that is not.
-            if *uses == 0 {
-                continue;
-            }
-            // No two become one: equal operations were one before.
-            let operation = operation.with_operands(|operand| images[operand.index()]);
             let net = Net(swept.operations.len() as u32);
-            swept.index.insert(hash_of(&operation), net);
-            swept.operations.push(operation);
+            // Of one that is not needed it is never looked at: what is needed has no operand that is not.
+            images.push(net);
+            if *uses > 0 {
+                // No two become one: equal operations were one before.
+                let operation = operation.with_operands(|operand| images[operand.index()]);
+                swept.index.insert(hash_of(&operation), net);
+                swept.operations.push(operation);
+            }
         }
         let image = |net: &Net| images[net.index()];
         let names = self.names.into_iter();

@@ -88,12 +88,7 @@ impl Multiples {
         operand: Net,
         coefficient: &Rational,
     ) -> Option<Net> {
-        // What was added since has no other uses.
-        if self
-            .uses
-            .get(operand.index())
-            .is_some_and(|uses| *uses != 1)
-        {
+        if self.uses[operand.index()] != 1 {
             return None;
         }
         match circuit.operation(operand).clone() {

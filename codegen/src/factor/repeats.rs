@@ -1,7 +1,7 @@
 //! Operations that repeat others: taking sums and products apart leaves parts that are equal, or multiples of each other,
 //! though they are made of other operations, and differences of such parts that are zero.
 
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 use smallvec::smallvec;
 
 use super::circuit::{Circuit, Net, Operation};
@@ -43,25 +43,29 @@ pub fn merge(circuit: &mut Circuit) {
         if numerator != 0 && cost > cost_of_multiple {
             circuit.replace(net, multiple);
         } else if numerator != 0 && cost == cost_of_multiple {
-            as_dear.push((net, multiple));
+            as_dear.push((net, earlier, multiple));
         }
     }
     replace_as_dear(circuit, as_dear);
     circuit.tidy();
 }
 
-/// Products that cost as much as multiples of others are replaced where nothing else needs one of their factors: with
+/// Operations that cost as much as multiples of others are replaced where nothing else needs one of their operands: with
 /// 2·x, y·(2·x), z·(2·x) and 4·x, y·(4·x), z·(4·x) the last three are 2·(y·(2·x)) and 2·(z·(2·x)).
-fn replace_as_dear(circuit: &mut Circuit, as_dear: Vec<(Net, Operation)>) {
+fn replace_as_dear(circuit: &mut Circuit, mut as_dear: Vec<(Net, Net, Operation)>) {
     let uses = circuit.live_uses();
+    // What nothing needs any more is not brought back.
+    as_dear.retain(|(net, earlier, _)| uses[net.index()] > 0 && uses[earlier.index()] > 0);
+    let kept: FxHashSet<Net> = as_dear.iter().map(|(_, earlier, _)| *earlier).collect();
     let mut replaced: FxHashMap<Net, usize> = FxHashMap::default();
-    for (net, _) in as_dear.iter().filter(|(net, _)| uses[net.index()] > 0) {
+    for (net, ..) in &as_dear {
         circuit.each_operand(*net, |operand| *replaced.entry(operand).or_default() += 1);
     }
-    for (net, multiple) in as_dear {
+    for (net, _, multiple) in as_dear {
         let mut is_freed = false;
         circuit.each_operand(net, |operand| {
-            let is_alone = replaced.get(&operand) == Some(&uses[operand.index()]);
+            let is_alone =
+                replaced.get(&operand) == Some(&uses[operand.index()]) && !kept.contains(&operand);
             is_freed |= is_alone && circuit.cost_of(operand).weight() > 0;
         });
         if is_freed {

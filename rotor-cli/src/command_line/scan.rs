@@ -18,7 +18,8 @@ use super::EXIT_CODES;
 ///
 /// Each --sample draws an input at random: `normal(mean,deviation)`, `uniform(low,high)` or
 /// `lognormal(median,deviation of the logarithm)`; all of them together are one axis of --count points, outside of the
-/// others. A draw that the input does not allow is no rotor; it has no quantities and is counted.
+/// others. A draw that the input does not allow is no rotor; it has no quantities and is counted. At a speed that is not
+/// above 0 there is no growth rate.
 ///
 /// Without --reduce all points are written, one row each, with null where a quantity does not exist. With it, only
 /// the reductions are kept, in little memory, and it is they that are printed and written.
@@ -34,20 +35,20 @@ use super::EXIT_CODES;
   $ rotor scan --vary crack.depth_ratio=0:0.4:97 --vary crack.angle=0:3:97 -q cir_width --plot m.svg\n  \
   $ rotor scan --vary crack.depth_ratio=0:0.4:97 --vary speed=0.6:1.8:97 -q growth_rate --plot g.svg\n\n\
 Quantities: {}\n\
-Inputs: {}\n\
+Inputs, and the speed: {}\n\
 Reductions: max, min, argmax, argmin, mean, count(THRESHOLD), histogram(LOW,HIGH,BINS)\n\
-{EXIT_CODES} Interrupted: 130.", Quantity::ALL.map(Quantity::name).join(" "), crate::scan::input_names().join(" ")))]
+{EXIT_CODES} Interrupted: 130.", Quantity::ALL.map(Quantity::name).join(" "), crate::scan::variable_names().join(" ")))]
 pub(crate) struct ScanArguments {
     /// The rotor whose inputs hold where nothing varies, a TOML file as `rotor init` writes it; `-` is standard
     /// input. Without it, the paper's rotor
     #[arg(value_name = "FILE.toml")]
     pub(crate) file: Option<PathBuf>,
 
-    /// An axis: an input and its values, or several that run together
+    /// An axis: an input or the speed and its values, or several that run together
     #[arg(long, value_name = "INPUT=VALUES")]
     pub(crate) vary: Vec<String>,
 
-    /// An input that is drawn at random
+    /// An input, or the speed, that is drawn at random
     #[arg(long, value_name = "INPUT=DISTRIBUTION", requires = "count")]
     pub(crate) sample: Vec<String>,
 

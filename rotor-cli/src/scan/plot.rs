@@ -5,9 +5,9 @@
 
 use std::path::Path;
 
-use rotor_core::quantity::Quantity;
+use rotor_core::quantity::{Quantity, RELATIVE};
 use rotor_core::region::RegionKind;
-use rotor_core::rotor::Rotor;
+use rotor_core::rotor::{Rotor, RotorParameters};
 use rotor_core::scan::{self, Plan, Scan, Variable};
 
 use crate::failure::Failure;
@@ -170,7 +170,7 @@ fn axis(symbol: &str, unit: &str) -> Axis {
 fn labelled(symbol: &str, unit: &str) -> String {
     match unit {
         "" => format!("{symbol} [–]"),
-        "× reference speed" => format!("{symbol} / ω_{{st}} [–]"),
+        RELATIVE => format!("{symbol} / ω_{{st}} [–]"),
         unit => format!("{symbol} [{unit}]"),
     }
 }
@@ -214,7 +214,8 @@ fn figure(plan: &Plan, rotor: &str) -> Result<Figure, Failure> {
     let single: Vec<_> = single.map(|axis| Shown::new(axis, 1)).collect();
     let long: Vec<_> = axes.iter().filter(|axis| axis.len() > 1).collect();
     let shown = shown(&long, &single);
-    let fixed = if long.is_empty() { &[] } else { &single[..] };
+    // Where no axis is long, the first is drawn as if it were.
+    let fixed = &single[usize::from(long.is_empty()).min(single.len())..];
     let picture = Drawing { plan, shown, fixed };
     let plot = picture.plot()?;
     let quantities: Vec<_> = plan
@@ -386,21 +387,26 @@ impl Drawing<'_> {
 
     /// The disk's asymmetry at a point.
     fn asymmetry(&self, point: usize) -> f64 {
-        let (mut parameters, mut speed) = (*self.plan.base(), None);
+        let mut parameters = *self.plan.base();
         let mut rest = point;
         for shown in self.shown.iter().rev() {
             let values = &shown.values[rest % shown.values.len()];
             rest /= shown.values.len();
-            for (variable, &value) in shown.columns.iter().zip(values) {
-                variable.set(&mut parameters, &mut speed, value);
-            }
+            write(&mut parameters, &shown.columns, values);
         }
         for shown in self.fixed {
-            for (variable, &value) in shown.columns.iter().zip(&shown.values[0]) {
-                variable.set(&mut parameters, &mut speed, value);
-            }
+            write(&mut parameters, &shown.columns, &shown.values[0]);
         }
         parameters.disk_asymmetry
+    }
+}
+
+/// Writes what is an input of a rotor.
+fn write(parameters: &mut RotorParameters, columns: &[Variable], values: &[f64]) {
+    for (variable, &value) in columns.iter().zip(values) {
+        if let Variable::Input(input) = variable {
+            (input.set)(parameters, value);
+        }
     }
 }
 

@@ -72,7 +72,7 @@ pub(super) fn batch(
     let mut columns: Vec<ArrayRef> = Vec::new();
     for (number, axis) in chunk.space().axes().iter().enumerate() {
         for column in 0..axis.variables().len() {
-            columns.push(Arc::new(Float64Array::from(chunk.inputs(number, column))));
+            columns.push(Arc::new(Float64Array::from(chunk.values(number, column))));
         }
     }
     for quantity in 0..quantities {

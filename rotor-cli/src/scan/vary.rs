@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use rotor_core::quantity::RELATIVE;
 use rotor_core::rotor::{INPUTS, RotorParameters};
 use rotor_core::scan::{Axis, ScanError, Variable};
 
@@ -39,7 +40,7 @@ fn linked(text: &str) -> Result<Vec<(Variable, String)>, String> {
             }
             (None, None) => {
                 return Err(format!(
-                    "\"{part}\" has no `=`; an input and its values are wanted, as crack.angle=0deg:180deg:91"
+                    "\"{part}\" has no `=`; an input or the speed and its values are wanted, as crack.angle=0deg:180deg:91"
                 ));
             }
         }
@@ -64,7 +65,7 @@ pub(super) fn variable(name: &str) -> Result<Variable, String> {
                 near.dotted_name()
             ),
             None => {
-                let names: Vec<_> = super::input_names();
+                let names: Vec<_> = super::variable_names();
                 format!(
                     "there is no input \"{name}\"; the inputs are {}",
                     names.join(", ")
@@ -142,7 +143,7 @@ pub(super) fn number(variable: Variable, text: &str) -> Result<f64, String> {
     let value = plain(variable, digits.trim_end(), text)?;
     match (factor, variable.unit()) {
         (Some(factor), "rad") => Ok(value * factor),
-        (None, "") => Ok(value / 100.0),
+        (None, "" | RELATIVE) => Ok(value / 100.0),
         (Some(_), unit) => Err(format!(
             "\"{text}\" is an angle, but {} is in {}",
             variable.name(),

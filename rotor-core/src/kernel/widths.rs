@@ -43,6 +43,9 @@ pub(super) struct Widths {
 impl Widths {
     /// For an axis along which these inputs vary; none where there are no stages along them.
     pub(super) fn along(inputs: &[&'static NumericInput]) -> Option<Self> {
+        if inputs.is_empty() {
+            return None;
+        }
         let names: Vec<_> = inputs.iter().map(|input| input.name).collect();
         let stages = match names[..] {
             ["crack_angle"] => Stages::Angle,

@@ -60,7 +60,7 @@ impl Axis {
     /// below.
     ///
     /// # Errors
-    /// Where `count` is 0, or 1 with two different ends; where the input does not allow an end.
+    /// Where `count` is 0, or 1 with two different ends; where the variable does not allow an end.
     pub fn linear(
         variable: impl Into<Variable>,
         (start, stop): (f64, f64),
@@ -90,13 +90,14 @@ impl Axis {
         Self::new(variable, Values::Logarithmic { start, stop }, count)
     }
 
-    /// `count` points drawn at random: each input from its own distribution, independently.
+    /// `count` points drawn at random: each variable from its own distribution, independently.
     ///
-    /// A value may be drawn that its input does not allow, as a negative mass from a wide normal
-    /// distribution. That point is no rotor and has no quantities; it is counted as such.
+    /// A value may be drawn that its variable does not allow, as a negative mass from a wide normal
+    /// distribution. That point is no rotor and has no quantities; it is counted as such. At a speed that is not allowed
+    /// there is no growth rate, and what the rotor has at any speed is as it is.
     ///
     /// # Errors
-    /// Where nothing is drawn, an input is drawn twice, or a distribution's parameters are none.
+    /// Where nothing is drawn, a variable is drawn twice, or a distribution's parameters are none.
     pub fn sampled(
         variables: &[(impl Into<Variable> + Copy, Distribution)],
         count: u64,
@@ -120,7 +121,7 @@ impl Axis {
     /// Several axes of the same length that run together, as one.
     ///
     /// # Errors
-    /// Where there is none, their lengths differ, or two vary the same input.
+    /// Where there is none, their lengths differ, or two vary the same variable.
     pub fn linked(axes: Vec<Self>) -> Result<Self, ScanError> {
         let mut linked: Option<Self> = None;
         for axis in axes {

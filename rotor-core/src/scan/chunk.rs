@@ -82,7 +82,7 @@ impl<'a> Chunk<'a> {
     }
 
     /// The values at its points of the variable number `column` of the axis number `axis`.
-    pub fn inputs(&self, axis: usize, column: usize) -> Vec<f64> {
+    pub fn values(&self, axis: usize, column: usize) -> Vec<f64> {
         let Some(varied) = self.space.axes().get(axis) else {
             return Vec::new();
         };

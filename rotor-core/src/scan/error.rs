@@ -12,7 +12,7 @@ pub enum ScanError {
     /// An axis without a value: the whole scan would have no point.
     #[error("the axis of {input} has no value; it must have at least one")]
     EmptyAxis {
-        /// The first input of the axis.
+        /// What varies first along the axis.
         input: &'static str,
     },
     /// One value cannot be both ends of a range.
@@ -21,14 +21,14 @@ pub enum ScanError {
          give at least 2 values, or the one value alone"
     )]
     OneValueForTwoEnds {
-        /// The input.
+        /// What varies.
         input: &'static str,
         /// First value.
         start: f64,
         /// Last value.
         stop: f64,
     },
-    /// A value that the input does not allow, NaN among them.
+    /// A value that is not allowed, NaN among them.
     #[error("value {} of the axis of {name} is {value}; it must be {allowed}", .index + 1,
         name = .variable.name(), allowed = .variable.allowed())]
     NotAllowed {
@@ -45,7 +45,7 @@ pub enum ScanError {
          constant ratio between neighbours"
     )]
     NoLogarithm {
-        /// The input.
+        /// What varies.
         input: &'static str,
         /// First value.
         start: f64,
@@ -55,7 +55,7 @@ pub enum ScanError {
     /// A distribution with parameters that it does not have.
     #[error("the distribution of {input} has {parameter} = {value}; it must be {allowed}")]
     Distribution {
-        /// The input.
+        /// What varies.
         input: &'static str,
         /// Such as `the standard deviation`.
         parameter: &'static str,
@@ -64,13 +64,13 @@ pub enum ScanError {
         /// What it has to be.
         allowed: &'static str,
     },
-    /// Linked inputs have a different number of values.
+    /// What is linked has a different number of values.
     #[error(
-        "{first} has {first_length} values and {other} has {other_length}; inputs that are varied \
+        "{first} has {first_length} values and {other} has {other_length}; what is varied \
          together must have the same number"
     )]
     LinkedLengths {
-        /// The first linked input.
+        /// What is linked first.
         first: &'static str,
         /// How many values it has.
         first_length: u64,
@@ -79,10 +79,10 @@ pub enum ScanError {
         /// How many values that has.
         other_length: u64,
     },
-    /// An input is varied by two axes, or twice by one.
-    #[error("{input} is varied twice; each input can be varied by one axis only")]
+    /// A variable is varied by two axes, or twice by one.
+    #[error("{input} is varied twice; it can be varied by one axis only")]
     VariedTwice {
-        /// The input.
+        /// What varies.
         input: &'static str,
     },
     /// Nothing is varied.
@@ -93,8 +93,7 @@ pub enum ScanError {
     NoQuantity,
     /// A quantity that depends on the speed, which is not varied.
     #[error(
-        "{quantity} is at a speed, which is not varied; vary it, also if it has one value, as in \
-         speed=0.5:2:301 or speed=0.93"
+        "{quantity} is at a speed, which is not varied; vary the speed, also if it has one value"
     )]
     NoSpeed {
         /// The quantity.
@@ -109,14 +108,14 @@ pub enum ScanError {
         /// The lengths of the axes, `401 × 721`.
         lengths: String,
     },
-    /// A reduction over an input that is not varied.
+    /// A reduction over what is not varied.
     #[error("the reduction {reduction} is over {input}, which is not varied; varied are {varied}")]
     NotVaried {
         /// The reduction as it is written.
         reduction: String,
-        /// The input.
+        /// What varies.
         input: &'static str,
-        /// The inputs that are varied.
+        /// What is varied.
         varied: String,
     },
     /// A reduction that keeps too many results in memory.

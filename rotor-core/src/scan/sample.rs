@@ -10,7 +10,7 @@ mod sobol;
 
 pub(super) use normal::quantile;
 
-/// How an input is distributed.
+/// How a variable is distributed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Distribution {
     /// Between two ends, everywhere as likely.
@@ -101,7 +101,7 @@ pub enum Sampling {
 /// The increment of SplitMix64, $2^{64}$ over the golden ratio.
 const GOLDEN: u64 = 0x9e37_79b9_7f4a_7c15;
 
-/// The most inputs that are drawn together; numbers of different dimensions never meet.
+/// The most variables that are drawn together; numbers of different dimensions never meet.
 const DIMENSIONS: u64 = 16;
 
 impl Sampling {

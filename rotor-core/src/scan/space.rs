@@ -20,7 +20,7 @@ impl Space {
     /// The product of axes.
     ///
     /// # Errors
-    /// Where there is no axis, two vary the same input, or there are more points than
+    /// Where there is no axis, two vary the same variable, or there are more points than
     /// [`MOST_POINTS`].
     pub fn new(axes: Vec<Axis>) -> Result<Self, ScanError> {
         for (index, axis) in axes.iter().enumerate() {

@@ -2,8 +2,8 @@
 
 /// The primitive polynomial of a dimension (degree, inner coefficients) and its first direction
 /// numbers, from `new-joe-kuo-6.21201` (Joe & Kuo, SIAM J. Sci. Comput. 30, 2635, 2008). The first
-/// dimension is the van der Corput sequence and has none. Eleven more are one for each input.
-const JOE_KUO: [(u32, u64, &[u64]); 11] = [
+/// dimension is the van der Corput sequence and has none. Twelve more are one for each input, and one for the speed.
+const JOE_KUO: [(u32, u64, &[u64]); 12] = [
     (1, 0, &[1]),
     (2, 1, &[1, 3]),
     (3, 1, &[1, 3, 1]),
@@ -15,6 +15,7 @@ const JOE_KUO: [(u32, u64, &[u64]); 11] = [
     (5, 7, &[1, 1, 7, 11, 19]),
     (5, 11, &[1, 1, 5, 1, 1]),
     (5, 13, &[1, 1, 1, 3, 11]),
+    (5, 14, &[1, 3, 5, 5, 31]),
 ];
 
 /// Direction numbers of every dimension.
@@ -54,7 +55,7 @@ const fn directions() -> [[u64; 64]; JOE_KUO.len() + 1] {
     all
 }
 
-/// The coordinate `dimension`, below 12, of the point `index`, in units of $2^{-64}$. Points stand in the order of
+/// The coordinate `dimension`, below 13, of the point `index`, in units of $2^{-64}$. Points stand in the order of
 /// the Gray code, as in most other programs.
 pub(super) fn coordinate(index: u64, dimension: u32) -> u64 {
     let directions = &DIRECTIONS[dimension as usize % DIRECTIONS.len()];
@@ -73,15 +74,15 @@ mod tests {
 
     #[test]
     fn points_are_those_of_other_programs() {
-        // Of scipy.stats.qmc.Sobol(12, scramble=False, bits=32), in units of 2^-32.
+        // Of scipy.stats.qmc.Sobol(13, scramble=False, bits=32), in units of 2^-32.
         let expected = [
             (
                 5,
-                [7, 7, 1, 3, 7, 5, 7, 3, 3, 1, 3, 7].map(|eighths| eighths << 29),
+                [7, 7, 1, 3, 7, 5, 7, 3, 3, 1, 3, 7, 7].map(|eighths| eighths << 29),
             ),
             (
                 37,
-                [59, 41, 37, 59, 49, 19, 11, 51, 39, 11, 1, 5].map(|parts| parts << 26),
+                [59, 41, 37, 59, 49, 19, 11, 51, 39, 11, 1, 5, 37].map(|parts| parts << 26),
             ),
         ];
         for (index, coordinates) in expected {
@@ -93,7 +94,7 @@ mod tests {
 
     #[test]
     fn every_dimension_is_stratified() {
-        for dimension in 0..12 {
+        for dimension in 0..13 {
             let mut cells: Vec<u64> = (0..256)
                 .map(|index| coordinate(index, dimension) >> 56)
                 .collect();
