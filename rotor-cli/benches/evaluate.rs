@@ -1,11 +1,6 @@
 //! What `rotor evaluate` takes, beside reading and writing the same columns alone.
 //!
 //! `cargo bench -p rotor-cli --bench evaluate`
-#![allow(
-    missing_docs,
-    clippy::expect_used,
-    reason = "criterion's macros define functions without documentation, and know no errors"
-)]
 
 use std::error::Error;
 use std::fs::File;
@@ -15,7 +10,8 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use arrow_array::{ArrayRef, Float64Array, RecordBatch};
-use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use criterion::measurement::WallTime;
+use criterion::{BenchmarkGroup, Criterion, Throughput};
 use parquet::arrow::ArrowWriter;
 use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
 use parquet::file::properties::WriterProperties;
@@ -98,29 +94,43 @@ fn evaluate(table: &Path, results: &Path) -> Outcome {
     }
 }
 
-fn tables(criterion: &mut Criterion) {
-    let folder = tempfile::tempdir().expect("a folder for tables");
+/// Times work that may fail; its last failure is the answer.
+fn timed(
+    group: &mut BenchmarkGroup<'_, WallTime>,
+    name: &str,
+    work: impl Fn() -> Outcome,
+) -> Outcome {
+    let mut outcome = Ok(());
+    group.bench_function(name, |bencher| {
+        bencher.iter(|| {
+            if let Err(error) = work() {
+                outcome = Err(error);
+            }
+        });
+    });
+    outcome
+}
+
+fn main() -> Outcome {
+    let folder = tempfile::tempdir()?;
     let at = |name: &str| folder.path().join(name);
     let (table, copy, results) = (
         at("table.parquet"),
         at("copy.parquet"),
         at("results.parquet"),
     );
-    write_table(&table).expect("a table");
+    write_table(&table)?;
+    let criterion = Criterion::default()
+        .sample_size(10)
+        .measurement_time(Duration::from_secs(8));
+    let mut criterion = criterion.configure_from_args();
     let mut group = criterion.benchmark_group("evaluate");
     group.throughput(Throughput::Elements(ROWS as u64));
-    group.bench_function("reading and writing alone", |bencher| {
-        bencher.iter(|| read_and_write(&table, &copy).expect("a copy"));
-    });
-    group.bench_function("rotor evaluate", |bencher| {
-        bencher.iter(|| evaluate(&table, &results).expect("results"));
-    });
+    timed(&mut group, "reading and writing alone", || {
+        read_and_write(&table, &copy)
+    })?;
+    timed(&mut group, "rotor evaluate", || evaluate(&table, &results))?;
     group.finish();
+    criterion.final_summary();
+    Ok(())
 }
-
-criterion_group! {
-    name = benches;
-    config = Criterion::default().sample_size(10).measurement_time(Duration::from_secs(8));
-    targets = tables
-}
-criterion_main!(benches);

@@ -118,9 +118,7 @@ pub(crate) fn quantities(option: &str, names: &[String]) -> Result<Vec<Quantity>
                 name.to_ascii_lowercase()
                     .parse::<Quantity>()
                     .map_err(|error| {
-                        Failure::input(format!(
-                            "{option}: {error}; `rotor evaluate --help` lists all"
-                        ))
+                        Failure::input(format!("{option}: {error}; `--help` lists all"))
                     })?,
             ],
         };
