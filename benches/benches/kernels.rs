@@ -11,7 +11,7 @@ use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_mai
 use rotor_benches::cases::{Bench, CASES, Sizes};
 use rotor_benches::corpus::{chemistry, geometry, robotics};
 use rotor_core::equations::{
-    cir_width, coefficients, phi, sir_width, stiffness, support_arm, widths_support_arm,
+    cir_width, coefficients, crack_compliance, phi, sir_width, stiffness, support_arm, widths_support_arm,
 };
 use rotor_core::rotor::{Rotor, RotorParameters};
 
@@ -37,11 +37,12 @@ fn cases(criterion: &mut Criterion) {
 fn rotor(criterion: &mut Criterion) {
     let p = RotorParameters::PAPER;
     let s = support_arm(&p);
-    let k = stiffness::value(&p, &s, 32.0);
+    let compliance = crack_compliance::value(&p, 32.0);
+    let k = stiffness::value(&p, &s, &compliance);
     let c = coefficients::value(&p, &k);
     let mut group = criterion.benchmark_group("rotor");
     group.bench_function("stiffness", |b| {
-        b.iter(|| stiffness::value(black_box(&p), &s, 32.0))
+        b.iter(|| stiffness::value(black_box(&p), &s, &compliance))
     });
     group.bench_function("coefficients", |b| {
         b.iter(|| coefficients::value(&p, black_box(&k)))

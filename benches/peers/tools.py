@@ -36,7 +36,8 @@ def row_coefficients(loaded, rotor, depths, integrals):
     op = Arrays(dict(zip(names, integrals)))
     field = loaded.rotor()
     p = SimpleNamespace(**(rotor | {"crack_depth_ratio": depths}))
-    c = field["coefficients"](op, p, field["stiffness"](op, p, field["support_arm"](op, p), 32.0))
+    compliance = field["crack_compliance"](op, p, 32.0)
+    c = field["coefficients"](op, p, field["stiffness"](op, p, field["support_arm"](op, p), compliance))
     return [np.broadcast_to(getattr(c, name), depths.shape).copy() for name in COLUMNS[:7]]
 
 

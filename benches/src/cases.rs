@@ -359,7 +359,7 @@ impl Consumer<2> for Greatest {
     }
 
     #[inline(always)]
-    fn take<S: Simd>(&self, lanes: &mut [Pack<S>; 2], _: usize, _: usize, results: &[Pack<S>; 2]) {
+    fn take<S: Simd>(&mut self, lanes: &mut [Pack<S>; 2], _: usize, _: usize, results: &[Pack<S>; 2]) {
         for (greatest, result) in lanes.iter_mut().zip(results) {
             // Beyond the last row a pack repeats rows that are there.
             *greatest = greatest.max(*result);
@@ -401,7 +401,7 @@ fn greatest_widths(bench: &mut Bench, max_rows: usize) -> Outcome {
         let tables = tables.each_ref().map(|table| &table[from..to]);
         for (place, row) in rows.iter().enumerate() {
             let greatest =
-                fold::<Points, _, FIXED, TABLES, 2>(Level::best(), row, tables, &Greatest)
+                fold::<Points, _, FIXED, TABLES, 2>(Level::best(), row, tables, &mut Greatest)
                     .map_err(columns_error)?;
             for (result, greatest) in bench.results.iter_mut().zip(greatest) {
                 result[place] = greatest.max(result[place]);

@@ -28,7 +28,7 @@ pub trait Kernel<const FIXED: usize, const ALONG: usize, const RESULTS: usize> {
 }
 
 /// The longest pack of all levels.
-const LONGEST: usize = 8;
+pub const LONGEST: usize = 8;
 
 /// All results of a kernel are wanted.
 pub const ALL: u64 = u64::MAX;
@@ -420,7 +420,7 @@ pub trait Consumer<const RESULTS: usize> {
 
     /// Takes the results of `rows` rows from `first` on; the packs hold more where these are the last.
     fn take<S: Simd>(
-        &self,
+        &mut self,
         lanes: &mut Self::Lanes<S>,
         first: usize,
         rows: usize,
@@ -439,7 +439,7 @@ pub fn fold<K, C, const FIXED: usize, const ALONG: usize, const RESULTS: usize>(
     level: Level,
     fixed: &[f64; FIXED],
     along: [&[f64]; ALONG],
-    consumer: &C,
+    consumer: &mut C,
 ) -> Result<C::Output, LengthError>
 where
     K: Kernel<FIXED, ALONG, RESULTS>,
@@ -461,7 +461,7 @@ struct Fold<'a, K, C, const FIXED: usize, const ALONG: usize, const RESULTS: usi
     rows: usize,
     fixed: &'a [f64; FIXED],
     along: [&'a [f64]; ALONG],
-    consumer: &'a C,
+    consumer: &'a mut C,
     kernel: std::marker::PhantomData<K>,
 }
 

@@ -24,7 +24,7 @@ mod stream;
 mod trigonometry;
 
 pub use fearless_simd::Simd;
-pub use kernel::{ALL, Consumer, Kernel, LengthError, fold, rows, store, stream};
+pub use kernel::{ALL, Consumer, Kernel, LONGEST, LengthError, fold, rows, store, stream};
 pub use level::{Level, UnknownLevel};
 pub use pack::Pack;
 pub use pieces::{MOST_PIECES, Pieces};

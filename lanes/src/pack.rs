@@ -25,16 +25,22 @@ impl<S: Simd> Pack<S> {
         Self { simd, numbers }
     }
 
-    /// The first [`LENGTH`](Self::LENGTH) numbers of a slice that has as many.
+    /// The numbers of a slice of [`LENGTH`](Self::LENGTH).
+    ///
+    /// # Panics
+    /// Where the slice is of another length.
     #[inline(always)]
-    pub(crate) fn load(simd: S, slice: &[f64]) -> Self {
+    pub fn load(simd: S, slice: &[f64]) -> Self {
         let numbers = S::f64s::from_slice(simd, slice);
         Self { simd, numbers }
     }
 
     /// Writes the numbers to a slice of [`LENGTH`](Self::LENGTH).
+    ///
+    /// # Panics
+    /// Where the slice is of another length.
     #[inline(always)]
-    pub(crate) fn store(self, slice: &mut [f64]) {
+    pub fn store(self, slice: &mut [f64]) {
         self.numbers.store_slice(slice);
     }
 

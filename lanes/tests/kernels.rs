@@ -26,7 +26,7 @@ impl Consumer<2> for Sum {
     }
 
     #[inline(always)]
-    fn take<S: Simd>(&self, sum: &mut f64, _: usize, rows: usize, results: &[Pack<S>; 2]) {
+    fn take<S: Simd>(&mut self, sum: &mut f64, _: usize, rows: usize, results: &[Pack<S>; 2]) {
         *sum += results[0].as_slice().iter().take(rows).sum::<f64>();
     }
 
@@ -54,7 +54,7 @@ fn every_row_of_every_length_on_every_level() {
                 assert_eq!(results[0][row], 3.0 * x[row] + y[row]);
                 assert_eq!(results[1][row], x[row].abs());
             }
-            let sum = fold::<Line, Sum, 1, 2, 2>(level, &[3.0], [&x, &y], &Sum).unwrap();
+            let sum = fold::<Line, Sum, 1, 2, 2>(level, &[3.0], [&x, &y], &mut Sum).unwrap();
             assert_eq!(sum, results[0].iter().sum::<f64>());
         }
     }
@@ -116,7 +116,7 @@ fn a_column_of_another_length_is_refused() {
     let results = [&mut first[..], &mut [][..]];
     let error = store::<Line, 1, 1, 2, 2>(level, &[3.0], [&x, &y[..5]], results).unwrap_err();
     assert_eq!((error.column, error.length, error.expected), (1, 5, 8));
-    let error = fold::<Line, Sum, 1, 2, 2>(level, &[3.0], [&x, &y[..5]], &Sum).unwrap_err();
+    let error = fold::<Line, Sum, 1, 2, 2>(level, &[3.0], [&x, &y[..5]], &mut Sum).unwrap_err();
     assert_eq!(
         error.to_string(),
         "column 1 has 5 rows; it must have 8, as the first one has"

@@ -216,6 +216,7 @@ mod formulas {
     }
 
     /// The loads at the crack in the model `support-arm`: Eq. (6) with the lever arm $-l_c$ (E3).
+    #[generate(columns)]
     pub fn support_arm(p: &RotorParameters) -> SectionLoads {
         SectionLoads {
             moment_of_force: -p.crack_position_ratio * p.shaft_length,
@@ -226,6 +227,7 @@ mod formulas {
     }
 
     /// The loads at the crack in the model `midspan-arm`: Eq. (6) as printed, with the arm $L/2 - l_c$.
+    #[generate(columns)]
     pub fn midspan_arm(p: &RotorParameters) -> SectionLoads {
         SectionLoads {
             moment_of_force: (0.5 - p.crack_position_ratio) * p.shaft_length,
@@ -236,6 +238,7 @@ mod formulas {
     }
 
     /// The loads at a crack left of the disk in the model `simply-supported`: statics of the beam.
+    #[generate(columns)]
     pub fn simply_supported_left(p: &RotorParameters) -> SectionLoads {
         let right = 1.0 - p.disk_position_ratio;
         SectionLoads {
@@ -247,6 +250,7 @@ mod formulas {
     }
 
     /// The loads at a crack right of the disk in the model `simply-supported`: statics of the beam.
+    #[generate(columns)]
     pub fn simply_supported_right(p: &RotorParameters) -> SectionLoads {
         let left = p.disk_position_ratio;
         SectionLoads {
@@ -297,10 +301,9 @@ mod formulas {
     ///
     /// As $A_1^{-1} - A_2^{-1} = A_1^{-1}(A_2 - A_1)A_2^{-1}$ with the crack's own $A_2 - A_1$, a shallow one keeps all digits.
     #[generate(value, columns)]
-    pub fn stiffness(p: &RotorParameters, s: &SectionLoads, edge_factor: f64) -> Stiffness {
+    pub fn stiffness(p: &RotorParameters, s: &SectionLoads, c: &CrackCompliance) -> Stiffness {
         let f = shaft_flexibility(p);
-        let c = crack_compliance(p, edge_factor);
-        let a = cracked_flexibility(&f, &c, s);
+        let a = cracked_flexibility(&f, c, s);
         let half_inverse_1 = 0.5 / flexibility_determinant(&f, s, c.c11, c.c44);
         let half_inverse_2 = 0.5 / flexibility_determinant(&f, s, c.c22, c.c33);
 
@@ -597,7 +600,7 @@ mod formulas {
     }
 
     /// Both widths, $\lambda_s$ and $\lambda_c$, in stages along what a scan varies.
-    #[generate(columns, stage(c.crack_angle), stage(c.disk_asymmetry), stage(c.beta, c.gamma, c.delta))]
+    #[generate(columns, stage(c.crack_angle), stage(c.disk_asymmetry), stage(c.beta, c.gamma, c.delta, c.epsilon_1, c.epsilon_12, c.epsilon_2))]
     pub fn both_widths(c: &Coefficients) -> (f64, f64) {
         (sir_width(c), cir_width(c))
     }
@@ -663,11 +666,12 @@ mod formulas {
     }
 
     // ---- Both widths straight from the physical rotor ----------------------------------------------
-    /// Both widths, $\lambda_s$ and $\lambda_c$, of a rotor whose crack is loaded as in `s`, in stages along depth and place.
-    #[domain(p.disk_mass > 0.0, p.disk_diametral_inertia > 0.0, p.disk_polar_inertia > 0.0, p.disk_position_ratio > 0.0, p.shaft_length > 0.0, p.shaft_radius > 0.0, p.shaft_youngs_modulus > 0.0, p.crack_depth_ratio >= 0.0, edge_factor > 0.0)]
-    #[generate(stage(p.crack_depth_ratio), stage(s.moment_of_force, s.shear_of_force, s.moment_of_couple, s.shear_of_couple))]
+    /// Both widths, $\lambda_s$ and $\lambda_c$, of a rotor whose crack is loaded as in `s`.
     pub fn widths(p: &RotorParameters, s: &SectionLoads, edge_factor: f64) -> (f64, f64) {
-        both_widths(&coefficients(p, &stiffness(p, s, edge_factor)))
+        both_widths(&coefficients(
+            p,
+            &stiffness(p, s, &crack_compliance(p, edge_factor)),
+        ))
     }
 
     /// Both widths in the model of [`support_arm()`].

@@ -33,7 +33,7 @@ impl Extremes {
     where
         K: Kernel<FIXED, ALONG, RESULTS>,
     {
-        let found = fold::<K, Span, FIXED, ALONG, RESULTS>(Level::best(), fixed, along, &Span);
+        let found = fold::<K, Span, FIXED, ALONG, RESULTS>(Level::best(), fixed, along, &mut Span);
         found.unwrap_or([Self::NONE; RESULTS])
     }
 
@@ -46,7 +46,8 @@ impl Extremes {
         }
     }
 
-    const NONE: Self = Self {
+    /// Those of nothing.
+    pub(crate) const NONE: Self = Self {
         least: f64::INFINITY,
         greatest: f64::NEG_INFINITY,
         all_are_finite: true,
@@ -59,7 +60,7 @@ impl Extremes {
 }
 
 /// A column as it is.
-struct Itself;
+pub(crate) struct Itself;
 
 impl Kernel<0, 1, 1> for Itself {
     #[inline(always)]
@@ -71,36 +72,37 @@ impl Kernel<0, 1, 1> for Itself {
 /// Takes the least, the greatest, and a sum of zeros that is NaN where a number is not finite.
 pub(crate) struct Span;
 
-impl<const RESULTS: usize> Consumer<RESULTS> for Span {
-    type Lanes<S: Simd> = [[Pack<S>; 3]; RESULTS];
-    type Output = [Extremes; RESULTS];
-
+impl Span {
+    /// The packs of nothing.
     #[inline(always)]
-    fn begin<S: Simd>(&self, simd: S) -> [[Pack<S>; 3]; RESULTS] {
+    pub(crate) fn empty<S: Simd, const COLUMNS: usize>(simd: S) -> [[Pack<S>; 3]; COLUMNS] {
         let [least, greatest, zeros] =
             [f64::INFINITY, f64::NEG_INFINITY, 0.0].map(|number| Pack::splat(simd, number));
-        [[least, greatest, zeros]; RESULTS]
+        [[least, greatest, zeros]; COLUMNS]
     }
 
+    /// Takes a pack of each column. Beyond the last row it repeats rows that are there.
     #[inline(always)]
-    fn take<S: Simd>(
-        &self,
-        lanes: &mut [[Pack<S>; 3]; RESULTS],
-        _: usize,
-        _: usize,
-        results: &[Pack<S>; RESULTS],
+    #[allow(
+        clippy::needless_range_loop,
+        reason = "adapters of iterators are not always inlined here"
+    )]
+    pub(crate) fn widen<S: Simd, const COLUMNS: usize>(
+        lanes: &mut [[Pack<S>; 3]; COLUMNS],
+        values: &[Pack<S>; COLUMNS],
     ) {
-        // The places are counted: adapters of iterators are not always inlined here.
-        for place in 0..RESULTS {
-            let value = results[place];
+        for place in 0..COLUMNS {
+            let value = values[place];
             let [least, greatest, zeros] = lanes[place];
-            // Beyond the last row a pack repeats rows that are there.
             lanes[place] = [least.min(value), greatest.max(value), zeros + value * 0.0];
         }
     }
 
+    /// What the packs have spanned.
     #[inline(always)]
-    fn end<S: Simd>(&self, lanes: [[Pack<S>; 3]; RESULTS]) -> [Extremes; RESULTS] {
+    pub(crate) fn spanned<S: Simd, const COLUMNS: usize>(
+        lanes: [[Pack<S>; 3]; COLUMNS],
+    ) -> [Extremes; COLUMNS] {
         lanes.map(|[least, greatest, zeros]| Extremes {
             least: least
                 .as_slice()
@@ -114,6 +116,32 @@ impl<const RESULTS: usize> Consumer<RESULTS> for Span {
                 .fold(f64::NEG_INFINITY, f64::max),
             all_are_finite: zeros.as_slice().iter().all(|zero| *zero == 0.0),
         })
+    }
+}
+
+impl<const RESULTS: usize> Consumer<RESULTS> for Span {
+    type Lanes<S: Simd> = [[Pack<S>; 3]; RESULTS];
+    type Output = [Extremes; RESULTS];
+
+    #[inline(always)]
+    fn begin<S: Simd>(&self, simd: S) -> [[Pack<S>; 3]; RESULTS] {
+        Self::empty(simd)
+    }
+
+    #[inline(always)]
+    fn take<S: Simd>(
+        &mut self,
+        lanes: &mut [[Pack<S>; 3]; RESULTS],
+        _: usize,
+        _: usize,
+        results: &[Pack<S>; RESULTS],
+    ) {
+        Self::widen(lanes, results);
+    }
+
+    #[inline(always)]
+    fn end<S: Simd>(&self, lanes: [[Pack<S>; 3]; RESULTS]) -> [Extremes; RESULTS] {
+        Self::spanned(lanes)
     }
 }
 

@@ -1,26 +1,31 @@
 //! The one place where many rotors are evaluated: the points of a scan, the rows of a table.
 //!
 //! A kernel belongs to what varies within a block and a list of quantities. [`Kernel::enter`] is called once for
-//! each block, for what depends on its values alone; [`Kernel::evaluate`] once for each row, which is the block with
-//! other values of the remaining inputs.
+//! each block, for what depends on its values alone; then for each row, which is the block with other values of the remaining
+//! inputs, [`Kernel::evaluate`] where its numbers are wanted, or [`Kernel::reduce`] where what reductions keep of them is.
 //!
-//! Both come from generated code in packs: where only widths are asked for, in stages along what varies ([`widths`]); all
-//! quantities of closed form by their columns ([`closed_forms`]). Whatever they leave open is computed point by point: exact
-//! ends, points at which a region may not exist, and inputs far from those of any machine.
+//! Both run generated code in packs, equation by equation ([`chain`]) up to the last loop ([`quantities`]), whose numbers go
+//! where they are wanted ([`destination`]). Whatever that leaves open is computed point by point: points at which a region may
+//! not exist, and inputs far from those of any machine.
 
-mod closed_forms;
-mod widths;
+mod chain;
+mod destination;
+mod iteration;
+mod list;
+mod quantities;
+mod sizes;
 
-use std::ops::RangeInclusive;
-
-use crate::extremes::{Extremes, is_size};
-use crate::quantity::{self, Quantity, Reason, Shared};
+use crate::extremes::Itself;
+use crate::quantity::{self, Quantity};
 use crate::rotor::{INPUTS, NumericInput, Rotor, RotorParameters};
-use crate::summary::{Summary, Wanted};
+use crate::statistic::Reducer;
 use crate::variable::Variable;
 
-use closed_forms::{ClosedForms, Points, is_closed};
-use widths::{Tables, Widths};
+use chain::{Chain, Needs};
+use destination::{Columns, Destination, WithGaps};
+use list::List;
+use quantities::{AxisTables, Row};
+use sizes::Sizes;
 
 /// The most points of a block.
 pub(crate) const POINTS_PER_BLOCK: usize = 4096;
@@ -34,29 +39,17 @@ struct Block {
     first: u64,
     /// When it was entered last.
     entered: u64,
-    /// The values of the inputs, one list for each.
+    /// The values of each variable.
     values: Vec<Vec<f64>>,
-    /// The speeds, where the speed varies.
-    speeds: Option<Vec<f64>>,
     /// The points of plain values, and whether that is all of them.
     plain: Vec<bool>,
     all_are_plain: bool,
-    /// What depends on the values alone.
-    tables: Tables,
-}
-
-impl Block {
-    fn points<'a>(
-        &'a self,
-        row: &'a RotorParameters,
-        varied: &'a [&'static NumericInput],
-    ) -> Points<'a> {
-        Points {
-            row,
-            varied,
-            values: &self.values,
-        }
-    }
+    /// What depends on the values alone, and what on the row too; none where the coefficients are the same at all points.
+    tables: AxisTables,
+    chain: Option<Chain>,
+    asymmetry: List,
+    angle: List,
+    speed: List,
 }
 
 /// What came of a row of a block.
@@ -68,25 +61,15 @@ pub(crate) struct Evaluated {
     pub(crate) is_complete: bool,
 }
 
-impl Evaluated {
-    const COMPLETE: Self = Self {
-        no_rotor: 0,
-        is_complete: true,
-    };
-}
-
 /// Evaluates quantities of blocks of rotors.
 pub(crate) struct Kernel<'a> {
     quantities: &'a [Quantity],
-    /// Those that are found by iteration.
-    open: Vec<Quantity>,
-    /// Where only widths are asked for: those of the simple and of the combination region by their places among the
-    /// quantities, and how they are computed.
-    staged: Option<([Option<usize>; 2], Widths)>,
-    closed_forms: ClosedForms,
+    needs: Needs,
     variables: Vec<Variable>,
     /// Those that are inputs of the rotor.
     inputs: Vec<&'static NumericInput>,
+    /// Where the coefficients are the same at all points: how they come about in a row, whatever the block.
+    chain: Option<Chain>,
     /// The blocks that were entered last, and the one that it is about.
     blocks: Vec<Block>,
     current: usize,
@@ -94,8 +77,10 @@ pub(crate) struct Kernel<'a> {
     entered: u64,
     /// The last row, and whether its inputs are plain.
     last: Option<(RotorParameters, bool)>,
-    /// Of a row's points those whose closed forms are known.
+    /// Of a row's points those that are known.
     known: Vec<bool>,
+    /// The quantities of a row that is reduced from them.
+    columns: Vec<Vec<f64>>,
 }
 
 impl<'a> Kernel<'a> {
@@ -110,23 +95,20 @@ impl<'a> Kernel<'a> {
             Variable::Speed => None,
         });
         let inputs: Vec<_> = inputs.collect();
-        let place = |wanted| quantities.iter().position(|quantity| *quantity == wanted);
-        let places = [Quantity::SirWidth, Quantity::CirWidth].map(place);
-        let only_widths = places.iter().flatten().count() == quantities.len();
-        let staged = Widths::along(&inputs).filter(|_| only_widths);
-        let open = quantities.iter().filter(|quantity| !is_closed(**quantity));
+        let names: Vec<_> = inputs.iter().map(|input| input.name).collect();
+        let varies = chain::inputs(&names) & chain::inputs_of_coefficients() != 0;
         Self {
             quantities,
-            open: open.copied().collect(),
-            staged: staged.map(|widths| (places, widths)),
-            closed_forms: ClosedForms::of(quantities),
+            needs: quantities::needs(quantities),
             variables,
+            chain: (!varies).then(|| Chain::new(1, &inputs, None)),
             inputs,
             blocks: Vec::new(),
             current: 0,
             entered: 0,
             last: None,
             known: Vec::new(),
+            columns: Vec::new(),
         }
     }
 
@@ -140,34 +122,11 @@ impl<'a> Kernel<'a> {
             self.blocks[known].entered = self.entered;
             return;
         }
-        let (mut values, mut speeds) = (Vec::new(), None);
-        for (number, variable) in self.variables.iter().enumerate() {
-            let mut filled = vec![f64::NAN; length];
-            fill(number, &mut filled);
-            match variable {
-                Variable::Input(_) => values.push(filled),
-                Variable::Speed => speeds = Some(filled),
-            }
+        let mut values = vec![vec![f64::NAN; length]; self.variables.len()];
+        for (number, values) in values.iter_mut().enumerate() {
+            fill(number, values);
         }
-        let mut block = Block {
-            first,
-            entered: self.entered,
-            values,
-            speeds,
-            plain: vec![true; length],
-            all_are_plain: false,
-            tables: Tables::new(),
-        };
-        for (input, values) in self.inputs.iter().zip(&block.values) {
-            let sizes = Sizes::of(input);
-            for (plain, value) in block.plain.iter_mut().zip(values) {
-                *plain &= sizes.contain(*value);
-            }
-        }
-        block.all_are_plain = block.plain.iter().all(|plain| *plain);
-        if let Some((_, widths)) = &self.staged {
-            widths.tabulate(&block.values, &mut block.tables);
-        }
+        let block = self.block(first, values);
         if self.blocks.len() < MOST_BLOCKS {
             self.current = self.blocks.len();
             self.blocks.push(block);
@@ -181,6 +140,45 @@ impl<'a> Kernel<'a> {
         }
     }
 
+    /// A block with these values of the variables, and what depends on them alone.
+    fn block(&self, first: u64, values: Vec<Vec<f64>>) -> Block {
+        let length = values.first().map_or(0, Vec::len);
+        let mut plain = vec![true; length];
+        let (mut asymmetry, mut angle, mut speed) = Default::default();
+        let mut of_inputs = Vec::new();
+        for (variable, values) in self.variables.iter().zip(&values) {
+            let Variable::Input(input) = variable else {
+                speed = List::of(values.clone());
+                continue;
+            };
+            match input.name {
+                "disk_asymmetry" => asymmetry = List::of(values.clone()),
+                "crack_angle" => angle = List::of(values.clone()),
+                _ => {}
+            }
+            let sizes = Sizes::of(input);
+            for (plain, value) in plain.iter_mut().zip(values) {
+                *plain &= sizes.contain(*value);
+            }
+            of_inputs.push(values.as_slice());
+        }
+        let names: Vec<_> = self.inputs.iter().map(|input| input.name).collect();
+        let chain = self.chain.is_none();
+        let chain = chain.then(|| Chain::new(length, &self.inputs, Some(&of_inputs)));
+        Block {
+            first,
+            entered: self.entered,
+            all_are_plain: plain.iter().all(|plain| *plain),
+            plain,
+            tables: AxisTables::along(&names, &of_inputs),
+            chain,
+            asymmetry,
+            angle,
+            speed,
+            values,
+        }
+    }
+
     /// Evaluates the block for the rotors that have the inputs `row` but for those that vary, which need not be valid, at
     /// the speed of the row but where that varies. `results` has for each quantity a slice of the block's length.
     ///
@@ -191,67 +189,128 @@ impl<'a> Kernel<'a> {
         speed: Option<f64>,
         results: &mut [&mut [f64]],
     ) -> Evaluated {
-        if self.inputs.is_empty() {
-            return self.along_speeds(row, results);
+        let (quantities, needs) = (self.quantities, self.needs);
+        let mut known = std::mem::take(&mut self.known);
+        known.clear();
+        let evaluated = self.row(row, speed).and_then(|(mut points, plain)| {
+            known.extend_from_slice(plain);
+            let mut columns = Columns {
+                results,
+                known: &mut known,
+                all_are_known: true,
+                has_gaps: false,
+            };
+            points.evaluate(quantities, &mut columns)?;
+            let (all, has_gaps) = (columns.all_are_known, columns.has_gaps);
+            let all = points.chain.trust(needs, &mut known)? && all;
+            Some((all, !has_gaps))
+        });
+        let (all_are_known, is_complete) = evaluated.unwrap_or_default();
+        if evaluated.is_none() {
+            known.clear();
+            known.resize(self.length(), false);
         }
-        let row_is_plain = self.is_plain(row);
-        let Some(block) = self.blocks.get(self.current) else {
-            return Evaluated::COMPLETE;
-        };
-        let points = block.points(row, &self.inputs);
-        if !row_is_plain {
-            self.known.clear();
-            self.known.resize(block.plain.len(), false);
-        } else if let Some((places, widths)) = &mut self.staged {
-            let wanted = widths_of(*places, results);
-            let evaluated = widths.evaluate(points, &block.tables, wanted);
-            let mut of_places = places.iter().flatten();
-            if evaluated
-                && block.all_are_plain
-                && widths::all_have_regions(points)
-                && of_places.all(|place| Extremes::of(&*results[*place]).are_sizes())
-            {
-                return Evaluated::COMPLETE;
-            }
-            self.known.clone_from(&block.plain);
-            widths::keep_regions(points, &mut self.known);
-            for place in places.iter().flatten() {
-                for (known, width) in self.known.iter_mut().zip(&*results[*place]) {
-                    // A zero may be the width of a closed region, or what is left of a smaller number.
-                    *known &= evaluated && is_size(*width);
-                }
-            }
-        } else {
-            self.known.clone_from(&block.plain);
-            let (quantities, known) = (self.quantities, &mut self.known);
-            self.closed_forms
-                .evaluate(points, quantities, results, known);
+        self.known = known;
+        if all_are_known && self.all_are_plain() {
+            let no_rotor = 0;
+            return Evaluated {
+                no_rotor,
+                is_complete,
+            };
         }
         self.rest(row, speed, results)
     }
 
-    /// What is wanted of the quantities in the block for these rotors without the quantities themselves, at points that all
-    /// have all of them. None where it cannot be had so.
-    pub(crate) fn summaries(
+    /// Reduces the quantities of the block for the rotors of a row, as [`Kernel::evaluate`] has them. `begin` gives the reducer
+    /// what was kept before; it is called again where what was begun had to be given up.
+    pub(crate) fn reduce(
         &mut self,
         row: &RotorParameters,
-        wanted: &Wanted,
-    ) -> Option<Vec<Summary>> {
-        let row_is_plain = self.is_plain(row);
-        let block = self.blocks.get(self.current)?;
-        let points = block.points(row, &self.inputs);
-        if !(row_is_plain && block.all_are_plain && widths::all_have_regions(points)) {
+        speed: Option<f64>,
+        reducer: &mut Reducer,
+        begin: impl Fn(&mut Reducer),
+    ) -> Evaluated {
+        begin(reducer);
+        if self.reduce_in_packs(row, speed, reducer).is_some() {
+            return Evaluated {
+                no_rotor: 0,
+                is_complete: false,
+            };
+        }
+        begin(reducer);
+        let mut columns = std::mem::take(&mut self.columns);
+        columns.resize_with(self.quantities.len(), Vec::new);
+        for column in &mut columns {
+            column.resize(self.length(), f64::NAN);
+        }
+        let mut results: Vec<_> = columns.iter_mut().map(Vec::as_mut_slice).collect();
+        let evaluated = self.evaluate(row, speed, &mut results);
+        for (place, column) in columns.iter().enumerate() {
+            let reduced = reducer.single::<Itself, WithGaps, 0, 1>(place, &[], [column]);
+            debug_assert!(reduced.is_some(), "a column has the length of itself");
+        }
+        self.columns = columns;
+        evaluated
+    }
+
+    /// Reduces where the numbers arise. None, with something begun, where not all points are known.
+    fn reduce_in_packs(
+        &mut self,
+        row: &RotorParameters,
+        speed: Option<f64>,
+        reducer: &mut Reducer,
+    ) -> Option<()> {
+        if !self.all_are_plain() {
             return None;
         }
-        let (places, widths) = self.staged.as_mut()?;
-        let mut found = widths.summaries(points, &block.tables, wanted)?.map(Some);
-        let of_quantity = |place| {
-            let width = places.iter().position(|known| *known == Some(place))?;
-            found[width]
-                .take()
-                .filter(|width| width.extremes.are_sizes())
+        let (quantities, needs) = (self.quantities, self.needs);
+        let (mut points, _) = self.row(row, speed)?;
+        if !points.chain.trust(needs, &mut [])? {
+            return None;
+        }
+        points.evaluate(quantities, reducer)
+    }
+
+    fn length(&self) -> usize {
+        self.blocks
+            .get(self.current)
+            .map_or(0, |block| block.plain.len())
+    }
+
+    fn all_are_plain(&self) -> bool {
+        self.blocks
+            .get(self.current)
+            .is_some_and(|block| block.all_are_plain)
+    }
+
+    /// The points of the block in a row, and which are plain. None where the row is not.
+    fn row(&mut self, row: &RotorParameters, speed: Option<f64>) -> Option<(Row<'_>, &[bool])> {
+        if !self.is_plain(row) {
+            return None;
+        }
+        let block = self.blocks.get_mut(self.current)?;
+        let chain = block.chain.as_mut().or(self.chain.as_mut())?;
+        chain.update(row);
+        for (list, name, number) in [
+            (&mut block.asymmetry, "disk_asymmetry", row.disk_asymmetry),
+            (&mut block.angle, "crack_angle", row.crack_angle),
+        ] {
+            if !self.inputs.iter().any(|input| input.name == name) {
+                list.set(number);
+            }
+        }
+        if let Some(speed) = speed {
+            block.speed.set(speed);
+        }
+        let points = Row {
+            chain,
+            tables: &block.tables,
+            asymmetry: &mut block.asymmetry,
+            angle: &mut block.angle,
+            speed: &mut block.speed,
+            any: block.values.first()?,
         };
-        (0..self.quantities.len()).map(of_quantity).collect()
+        Some((points, &block.plain))
     }
 
     /// Whether the inputs of a row are plain, but for those that vary.
@@ -274,17 +333,19 @@ impl<'a> Kernel<'a> {
         speed: Option<f64>,
         results: &mut [&mut [f64]],
     ) -> Evaluated {
-        let mut evaluated = Evaluated::COMPLETE;
+        let mut no_rotor = 0;
         for (point, known) in self.known.iter().enumerate() {
-            if !(*known && self.open.is_empty()) {
-                evaluated.is_complete = false;
-                evaluated.no_rotor += u64::from(!self.point(row, speed, point, results));
+            if !known {
+                no_rotor += u64::from(!self.point(row, speed, point, results));
             }
         }
-        evaluated
+        Evaluated {
+            no_rotor,
+            is_complete: false,
+        }
     }
 
-    /// Evaluates what is not known at one point; whether it is a rotor.
+    /// Evaluates one point; whether it is a rotor.
     fn point(
         &self,
         row: &RotorParameters,
@@ -294,13 +355,9 @@ impl<'a> Kernel<'a> {
     ) -> bool {
         let mut parameters = *row;
         if let Some(block) = self.blocks.get(self.current) {
-            for (input, values) in self.inputs.iter().zip(&block.values) {
-                (input.set)(&mut parameters, values[point]);
+            for (variable, values) in self.variables.iter().zip(&block.values) {
+                variable.set(&mut parameters, &mut speed, values[point]);
             }
-            speed = block
-                .speeds
-                .as_ref()
-                .map_or(speed, |speeds| Some(speeds[point]));
         }
         let Ok(rotor) = Rotor::new(parameters) else {
             for result in results.iter_mut() {
@@ -308,106 +365,11 @@ impl<'a> Kernel<'a> {
             }
             return false;
         };
-        let unknown = if self.known[point] {
-            self.open.as_slice()
-        } else {
-            self.quantities
-        };
-        let values = quantity::evaluate_at(unknown, &rotor, speed);
-        for (quantity, value) in unknown.iter().zip(values) {
-            let places = self.quantities.iter().zip(results.iter_mut());
-            for (_, result) in places.filter(|(asked, _)| *asked == quantity) {
-                result[point] = number_of(&value);
-            }
+        let values = quantity::evaluate_at(self.quantities, &rotor, speed);
+        for (result, value) in results.iter_mut().zip(values) {
+            // A zero has no sign.
+            result[point] = value.map_or(f64::NAN, |value| value + 0.0);
         }
         true
-    }
-
-    /// Evaluates a block in which the speed alone varies: what the rotor has at all speeds is computed once.
-    fn along_speeds(&self, row: &RotorParameters, results: &mut [&mut [f64]]) -> Evaluated {
-        let block = self.blocks.get(self.current);
-        let speeds = block
-            .and_then(|block| block.speeds.as_deref())
-            .unwrap_or_default();
-        let rotor = Rotor::new(*row);
-        let shared = rotor.as_ref().map(Shared::new);
-        for (quantity, result) in self.quantities.iter().zip(results) {
-            if !quantity.needs_speed() {
-                let value = shared.as_ref().map(|shared| shared.get(*quantity, None));
-                result.fill(value.map_or(f64::NAN, |value| number_of(&value)));
-                continue;
-            }
-            for (result, speed) in result.iter_mut().zip(speeds) {
-                let value = shared
-                    .as_ref()
-                    .map(|shared| shared.get(*quantity, Some(*speed)));
-                *result = value.map_or(f64::NAN, |value| number_of(&value));
-            }
-        }
-        Evaluated {
-            no_rotor: if rotor.is_ok() {
-                0
-            } else {
-                speeds.len() as u64
-            },
-            is_complete: false,
-        }
-    }
-}
-
-/// A quantity among others of its kind; a zero has no sign.
-fn number_of(value: &Result<f64, Reason>) -> f64 {
-    value.as_ref().map_or(f64::NAN, |value| value + 0.0)
-}
-
-/// The slices of the widths of the simple and of the combination region, where they are asked for.
-fn widths_of<'a>(
-    places: [Option<usize>; 2],
-    results: &'a mut [&mut [f64]],
-) -> [Option<&'a mut [f64]>; 2] {
-    let mut wanted = [None, None];
-    for (place, result) in results.iter_mut().enumerate() {
-        if let Some(width) = places.iter().position(|known| *known == Some(place)) {
-            wanted[width] = Some(&mut **result);
-        }
-    }
-    wanted
-}
-
-/// The values of an input that are allowed, and of a size with which nothing leaves the range of numbers on the way to a
-/// quantity: from a tenth of a millimetre, or a gramme in a billion, to a thousand times what there is.
-struct Sizes {
-    allowed: RangeInclusive<f64>,
-    above: f64,
-    below: f64,
-    /// Whether zero is a size too.
-    with_zero: bool,
-}
-
-impl Sizes {
-    fn of(input: &NumericInput) -> Self {
-        const LARGEST: f64 = 1e12;
-        let (above, below, with_zero) = match input.name {
-            "crack_angle" | "shaft_poissons_ratio" => (0.0, f64::INFINITY, true),
-            "crack_depth_ratio" | "disk_asymmetry" => (1e-9, f64::INFINITY, true),
-            "disk_position_ratio" | "crack_position_ratio" => (1e-4, 1.0 - 1e-4, false),
-            name if widths::INERTIA.contains(&name) => (1e-12, LARGEST, false),
-            _ => (1e-4, LARGEST, false),
-        };
-        Self {
-            allowed: input.allowed.range(),
-            above,
-            below,
-            with_zero,
-        }
-    }
-
-    /// Without branches, so that a list is looked through in packs.
-    #[inline]
-    fn contain(&self, value: f64) -> bool {
-        let size = value.abs();
-        let is_between = (size > self.above) & (size < self.below);
-        let is_allowed = self.allowed.contains(&value);
-        (is_between | ((size == 0.0) & self.with_zero)) & is_allowed
     }
 }

@@ -39,7 +39,7 @@ mod roots;
 pub mod rotor;
 pub mod scan;
 pub mod stability;
-mod summary;
+mod statistic;
 pub mod table;
 mod variable;
 pub mod zero_unstable_point;

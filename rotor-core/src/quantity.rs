@@ -272,7 +272,9 @@ impl<'a> Shared<'a> {
     }
 
     fn stiffness(&self) -> Result<Stiffness, NoCoefficients> {
-        *self.stiffness.get_or_init(|| self.rotor.stiffness())
+        *self
+            .stiffness
+            .get_or_init(|| self.rotor.stiffness_of(&self.compliance()?))
     }
 
     fn coefficients(&self) -> Result<Coefficients, NoCoefficients> {

@@ -237,10 +237,13 @@ impl Rotor {
     /// # Errors
     /// Where an entry is not finite, or the mean stiffness is not positive.
     pub fn stiffness(&self) -> Result<Stiffness, NoCoefficients> {
-        let edge_factor = self.parameters.crack_edge.factor();
+        self.stiffness_of(&self.compliance()?)
+    }
+
+    pub(crate) fn stiffness_of(&self, c: &CrackCompliance) -> Result<Stiffness, NoCoefficients> {
         let loads = self.section_loads();
-        self.check_flexibility(&loads)?;
-        let k = equations::stiffness::value(&self.parameters, &loads, edge_factor);
+        self.check_flexibility(&loads, c)?;
+        let k = equations::stiffness::value(&self.parameters, &loads, c);
         check(
             &[("k_tt", k.k_tt), ("k_mm", k.k_mm)],
             |value| value > 0.0,
@@ -258,9 +261,12 @@ impl Rotor {
 
     /// The variation of the stiffness has the product of both planes' inverse determinants of the flexibility as a factor.
     /// Where that underflows, a cracked rotor would come out as one that nothing excites.
-    fn check_flexibility(&self, loads: &SectionLoads) -> Result<(), NoCoefficients> {
+    fn check_flexibility(
+        &self,
+        loads: &SectionLoads,
+        c: &CrackCompliance,
+    ) -> Result<(), NoCoefficients> {
         let f = equations::shaft_flexibility(&self.parameters);
-        let c = self.compliance()?;
         let planes = [
             equations::flexibility_determinant(&f, loads, c.c11, c.c44),
             equations::flexibility_determinant(&f, loads, c.c22, c.c33),

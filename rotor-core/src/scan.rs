@@ -42,11 +42,12 @@ mod space;
 use crate::quantity::Quantity;
 use crate::rotor::{Rotor, RotorParameters};
 
+pub use crate::statistic::Statistic;
 pub use crate::variable::Variable;
 pub use axis::Axis;
 pub use chunk::{Chunk, Column, Counts, POINTS_PER_CHUNK};
 pub use error::ScanError;
-pub use reduce::{MOST_BINS, MOST_RESULTS, Reduced, Reduction, Reductions, Statistic};
+pub use reduce::{MOST_BINS, MOST_RESULTS, Reduced, Reduction, Reductions};
 pub use run::{Cancel, Chunks, Control, Report, Saved, Stopped};
 pub use sample::{Distribution, Sampling};
 pub use sink::{Discard, Sink};

@@ -3,8 +3,9 @@
 
 use lanes::{ALL, Kernel, Level, store};
 use proptest::prelude::*;
+use rotor_core::equations::both_widths::along_beta_and_gamma_and_delta_and_epsilon_1_and_epsilon_12_and_epsilon_2 as along_coefficients;
 use rotor_core::equations::both_widths::{
-    Columns, along_beta_and_gamma_and_delta, along_crack_angle, along_disk_asymmetry, columns,
+    Columns, along_crack_angle, along_disk_asymmetry, columns,
 };
 use rotor_core::equations::{Coefficients, cir_width, phi, sir_width};
 use rotor_core::rotor::{Rotor, RotorParameters};
@@ -95,14 +96,20 @@ proptest! {
         });
         let betas = along(1.1, 1.9);
         let (gammas, deltas) = (along(-0.9, -0.5), along(1.2, 1.7));
+        let factors = along(0.9, 1.2);
+        let epsilons = [c.epsilon_1, c.epsilon_12, c.epsilon_2];
+        let epsilons = epsilons.map(|epsilon| factors.iter().map(|factor| factor * epsilon).collect::<Vec<_>>());
         assert_staged!(
-            along_beta_and_gamma_and_delta,
-            [&betas[..], &gammas[..], &deltas[..]],
+            along_coefficients,
+            [&betas[..], &gammas[..], &deltas[..], &epsilons[0][..], &epsilons[1][..], &epsilons[2][..]],
             &c,
             |row| Coefficients {
                 beta: betas[row],
                 gamma: gammas[row],
                 delta: deltas[row],
+                epsilon_1: epsilons[0][row],
+                epsilon_12: epsilons[1][row],
+                epsilon_2: epsilons[2][row],
                 ..c
             }
         );

@@ -3,7 +3,7 @@
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
-use rotor_core::equations::{self, Coefficients};
+use rotor_core::equations::{self, Coefficients, Stiffness};
 use rotor_core::rotor::RotorParameters;
 use rotor_tests::relative_error;
 
@@ -12,9 +12,13 @@ const TOLERANCE: f64 = 1e-12;
 /// The factor of c₄₄ in the paper, E6.
 const EDGE_FACTOR: f64 = 32.0;
 
+fn stiffness(p: &RotorParameters) -> Stiffness {
+    let compliance = equations::crack_compliance::value(p, EDGE_FACTOR);
+    equations::stiffness::value(p, &equations::support_arm(p), &compliance)
+}
+
 fn coefficients(p: &RotorParameters) -> Coefficients {
-    let k = equations::stiffness::value(p, &equations::support_arm(p), EDGE_FACTOR);
-    equations::coefficients::value(p, &k)
+    equations::coefficients::value(p, &stiffness(p))
 }
 
 fn assert_numbers(numbers: &[(&str, f64, f64)]) {
@@ -30,7 +34,7 @@ fn assert_numbers(numbers: &[(&str, f64, f64)]) {
 #[test]
 fn coefficients_and_starts() {
     let p = RotorParameters::PAPER;
-    let k = equations::stiffness::value(&p, &equations::support_arm(&p), EDGE_FACTOR);
+    let k = stiffness(&p);
     let c = equations::coefficients::value(&p, &k);
     assert_numbers(&[
         (

@@ -5,10 +5,11 @@ use std::sync::Mutex;
 use crate::kernel::{Kernel, POINTS_PER_BLOCK};
 use crate::quantity::Quantity;
 use crate::rotor::RotorParameters;
-use crate::summary::{Summary, Wanted};
+use crate::statistic::Reducer;
 
 use super::Plan;
 use super::axis::Axis;
+use super::reduce::Reductions;
 use super::space::Space;
 
 /// The points of a chunk; the last one of a scan may have fewer.
@@ -145,24 +146,6 @@ impl<'a> Column<'a> {
     }
 }
 
-/// A block that has been evaluated: consecutive points of one row.
-pub(super) struct Block<'a> {
-    /// Its first point.
-    pub(super) first: u64,
-    /// How many it has.
-    pub(super) points: u64,
-    /// What is known of it.
-    pub(super) results: Results<'a>,
-}
-
-/// What is known of a block, for each quantity.
-pub(super) enum Results<'a> {
-    /// Its values, NaN where there is none.
-    Values(&'a [&'a mut [f64]]),
-    /// What was wanted of them. Every point has one.
-    Summaries(&'a [Summary], &'a Wanted),
-}
-
 /// The kernels of a plan that wait for work: what they have tabulated serves the next chunk too.
 pub(super) struct Kernels<'a> {
     plan: &'a Plan,
@@ -201,21 +184,27 @@ pub(super) fn extent(plan: &Plan, number: u64) -> (u64, u64) {
     (first, POINTS_PER_CHUNK.min(plan.space.len() - first))
 }
 
-/// Evaluates a chunk block by block; none where it is to stop. Where what is `wanted` of it is enough, a block may
-/// come without values.
-pub(super) fn evaluate_blocks(
+/// Points of a chunk that lie in one row, a block of it at most.
+struct Stretch {
+    first: u64,
+    points: usize,
+    row: RotorParameters,
+    speed: Option<f64>,
+}
+
+/// Goes through a chunk block by block; none where it is to stop. `work` is done with a kernel that is about the block; it
+/// counts what is missing.
+fn for_each_block(
     kernels: &Kernels<'_>,
     number: u64,
     stop: &dyn Fn() -> bool,
-    wanted: Option<&Wanted>,
-    mut take: impl FnMut(&Block<'_>),
+    mut work: impl FnMut(&mut Kernel<'_>, &Stretch, &mut Counts),
 ) -> Option<Counts> {
     let plan = kernels.plan;
     let (outer, inner) = plan.space.outer_and_inner()?;
     let (mut first, length) = extent(plan, number);
     let end = first + length;
     let mut kernel = kernels.take()?;
-    let mut buffers = vec![vec![f64::NAN; POINTS_PER_BLOCK]; plan.quantities.len()];
     let mut counts = Counts::none(plan.quantities.len());
     while first < end {
         if stop() {
@@ -227,43 +216,47 @@ pub(super) fn evaluate_blocks(
         let taken = (block - along % block)
             .min(inner.len() - along)
             .min(end - first);
-        let taken_here = to_usize(taken);
-        kernel.enter(along, taken_here, |column, values| {
+        let points = to_usize(taken);
+        kernel.enter(along, points, |column, values| {
             inner.fill(column, along, values);
         });
         let (row, speed) = row_of(&plan.base, outer, row);
         counts.points += taken;
-        let summaries = wanted.and_then(|wanted| Some((kernel.summaries(&row, wanted)?, wanted)));
-        if let Some((summaries, wanted)) = summaries {
-            let results = Results::Summaries(&summaries, wanted);
-            let points = taken;
-            take(&Block {
-                first,
-                points,
-                results,
-            });
-        } else {
-            let buffers = buffers.iter_mut().map(|buffer| &mut buffer[..taken_here]);
-            let mut values: Vec<&mut [f64]> = buffers.collect();
-            let evaluated = kernel.evaluate(&row, speed, &mut values);
-            counts.no_rotor += evaluated.no_rotor;
-            if !evaluated.is_complete {
-                for (missing, values) in counts.missing.iter_mut().zip(&values) {
-                    *missing += values.iter().filter(|value| value.is_nan()).count() as u64;
-                }
-            }
-            let results = Results::Values(&values);
-            let points = taken;
-            take(&Block {
-                first,
-                points,
-                results,
-            });
-        }
+        let stretch = Stretch {
+            first,
+            points,
+            row,
+            speed,
+        };
+        work(&mut kernel, &stretch, &mut counts);
         first += taken;
     }
     kernels.give_back(kernel);
     Some(counts)
+}
+
+/// Reduces a chunk; none where it is to stop.
+pub(super) fn reduce<'a>(
+    kernels: &Kernels<'a>,
+    number: u64,
+    stop: &dyn Fn() -> bool,
+) -> Option<(Counts, Reductions<'a>)> {
+    let mut part = Reductions::of_chunk(kernels.plan, number);
+    let mut reducer = part.reducer();
+    let counts = for_each_block(kernels, number, stop, |kernel, block, counts| {
+        let points = (block.first, block.points);
+        let begin = |reducer: &mut Reducer| part.begin(points, reducer);
+        let evaluated = kernel.reduce(&block.row, block.speed, &mut reducer, begin);
+        counts.no_rotor += evaluated.no_rotor;
+        for (quantity, missing) in counts.missing.iter_mut().enumerate() {
+            let present = reducer
+                .summary(quantity)
+                .map_or(0, |summary| summary.present);
+            *missing += block.points as u64 - present;
+        }
+        part.end(points, &mut reducer);
+    })?;
+    Some((counts, part))
 }
 
 /// The inputs of a row, those of the inner axis as they are in the base rotor, and its speed where an outer axis has it.
@@ -290,10 +283,18 @@ pub(super) fn evaluate<'a>(
     let (first, length) = extent(plan, number);
     let empty = |_: &Quantity| Vec::with_capacity(to_usize(length));
     let mut results: Vec<Vec<f64>> = plan.quantities.iter().map(empty).collect();
-    let counts = evaluate_blocks(kernels, number, stop, None, |block| {
-        if let Results::Values(values) = block.results {
-            for (all, values) in results.iter_mut().zip(values) {
-                all.extend_from_slice(values);
+    let counts = for_each_block(kernels, number, stop, |kernel, block, counts| {
+        let start = to_usize(block.first - first);
+        let slices = results.iter_mut().map(|result| {
+            result.resize(start + block.points, f64::NAN);
+            &mut result[start..]
+        });
+        let mut values: Vec<_> = slices.collect();
+        let evaluated = kernel.evaluate(&block.row, block.speed, &mut values);
+        counts.no_rotor += evaluated.no_rotor;
+        if !evaluated.is_complete {
+            for (missing, values) in counts.missing.iter_mut().zip(&values) {
+                *missing += values.iter().filter(|value| value.is_nan()).count() as u64;
             }
         }
     })?;

@@ -7,15 +7,15 @@ mod cells;
 
 use std::fmt;
 
-use crate::summary::{Bins, MOST_THRESHOLDS, Wanted};
+use crate::statistic::{Accumulator, Reducer, Statistic, Wanted};
 use crate::variable::Variable;
 
 use super::Plan;
-use super::chunk::{self, Block, Results};
+use super::chunk;
 use super::error::ScanError;
 use super::space::Space;
 
-use cells::Cell;
+use cells::{Cell, Cells};
 
 /// The most results, over all reductions, quantities, groups and bins, that are kept in memory.
 pub const MOST_RESULTS: u64 = 1 << 21;
@@ -23,80 +23,23 @@ pub const MOST_RESULTS: u64 = 1 << 21;
 /// The most bins of a histogram.
 pub const MOST_BINS: u32 = 1 << 16;
 
-/// What is kept of the values of a quantity. Points where it does not exist take no part.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Statistic {
-    /// The largest value.
-    Maximum,
-    /// The smallest value.
-    Minimum,
-    /// The largest value and the first point that has it.
-    ArgMaximum,
-    /// The smallest value and the first point that has it.
-    ArgMinimum,
-    /// The mean.
-    Mean,
-    /// How many values are above a threshold.
-    CountAbove(f64),
-    /// How many values fall into each of some equally wide bins. A bin has its lower end; the last
-    /// one has both. Values below and above all bins are counted too.
-    Histogram {
-        /// Lower end of the first bin.
-        low: f64,
-        /// Upper end of the last bin.
-        high: f64,
-        /// How many bins.
-        bins: u32,
-    },
-}
-
-impl Statistic {
-    /// The name, as on the command line: `max`, `argmin`, `count`.
-    pub const fn name(&self) -> &'static str {
-        match self {
-            Self::Maximum => "max",
-            Self::Minimum => "min",
-            Self::ArgMaximum => "argmax",
-            Self::ArgMinimum => "argmin",
-            Self::Mean => "mean",
-            Self::CountAbove(_) => "count",
-            Self::Histogram { .. } => "histogram",
+/// Refuses thresholds and bins that are none.
+fn check(statistic: Statistic) -> Result<(), ScanError> {
+    match statistic {
+        Statistic::CountAbove(value) if !value.is_finite() => Err(ScanError::Threshold { value }),
+        Statistic::Histogram { low, high, bins }
+            if !(low.is_finite() && (high - low).is_finite() && low < high)
+                || bins == 0
+                || bins > MOST_BINS =>
+        {
+            Err(ScanError::Histogram {
+                low,
+                high,
+                bins,
+                most: MOST_BINS,
+            })
         }
-    }
-
-    /// Whether the point at which the value lies is a part of the answer.
-    pub const fn locates(&self) -> bool {
-        matches!(self, Self::ArgMaximum | Self::ArgMinimum)
-    }
-
-    fn check(&self) -> Result<(), ScanError> {
-        match *self {
-            Self::CountAbove(value) if !value.is_finite() => Err(ScanError::Threshold { value }),
-            Self::Histogram { low, high, bins }
-                if !(low.is_finite() && (high - low).is_finite() && low < high)
-                    || bins == 0
-                    || bins > MOST_BINS =>
-            {
-                Err(ScanError::Histogram {
-                    low,
-                    high,
-                    bins,
-                    most: MOST_BINS,
-                })
-            }
-            _ => Ok(()),
-        }
-    }
-}
-
-/// `max`, `count(0.05)`, `histogram(0,1,20)`.
-impl fmt::Display for Statistic {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::CountAbove(threshold) => write!(f, "count({threshold:?})"),
-            Self::Histogram { low, high, bins } => write!(f, "histogram({low:?},{high:?},{bins})"),
-            other => f.pad(other.name()),
-        }
+        _ => Ok(()),
     }
 }
 
@@ -176,7 +119,7 @@ pub(super) fn groupings(
 }
 
 fn grouping(reduction: &Reduction, space: &Space) -> Result<Grouping, ScanError> {
-    reduction.statistic.check()?;
+    check(reduction.statistic)?;
     let axes = space.axes();
     if let Some(missing) = reduction
         .over
@@ -234,6 +177,11 @@ impl Grouping {
         group
     }
 
+    /// The first cell of a point's group among those of a part.
+    fn start(&self, part: &Part, space: &Space, point: u64) -> usize {
+        (self.group(space, point) - part.first) as usize * self.width
+    }
+
     /// The first group of consecutive points, and how many there are up to the last.
     fn window(&self, space: &Space, (first, length): (u64, u64)) -> (u64, u64) {
         // Within a row groups increase; rows can be in any order.
@@ -262,7 +210,7 @@ pub struct Reductions<'a> {
 #[derive(Clone, Debug)]
 struct Part {
     first: u64,
-    cells: Vec<Vec<Cell>>,
+    cells: Vec<Cells>,
 }
 
 impl<'a> Reductions<'a> {
@@ -281,7 +229,7 @@ impl<'a> Reductions<'a> {
         let part = |grouping: &Grouping| {
             let (first, groups) = window(grouping);
             let cells = groups as usize * grouping.width;
-            let empty = vec![Cell::empty(grouping.reduction.statistic); cells];
+            let empty = Cells::empty(grouping.reduction.statistic, cells);
             Part {
                 first,
                 cells: vec![empty; plan.quantities.len()],
@@ -291,59 +239,57 @@ impl<'a> Reductions<'a> {
         Self { plan, parts }
     }
 
-    /// What is to be known of blocks besides their extremes, if that says all.
-    pub(super) fn wanted(&self) -> Option<Wanted> {
+    /// What takes the blocks of a chunk: the whole of them where the inner axis is reduced, each of their points where not.
+    pub(super) fn reducer(&self) -> Reducer {
         let mut wanted = Wanted::default();
+        let mut accumulators = Vec::new();
         for grouping in &self.plan.groupings {
-            if !grouping.reduces_inner_axis() {
-                return None;
-            }
-            match grouping.reduction.statistic {
-                Statistic::Maximum | Statistic::Minimum => {}
-                Statistic::ArgMaximum | Statistic::ArgMinimum => wanted.places = true,
-                Statistic::Mean => wanted.sum = true,
-                Statistic::CountAbove(threshold) => wanted.thresholds.push(threshold),
-                Statistic::Histogram { low, high, bins } => wanted.bins.push(Bins {
-                    low,
-                    high,
-                    count: bins,
-                }),
+            let statistic = grouping.reduction.statistic;
+            if grouping.reduces_inner_axis() {
+                wanted.add(statistic);
+            } else {
+                accumulators.push(Accumulator::new(statistic));
             }
         }
-        (wanted.thresholds.len() <= MOST_THRESHOLDS).then_some(wanted)
+        Reducer::new(wanted, &accumulators, self.plan.quantities.len())
     }
 
-    /// Takes the results of a block.
-    pub(super) fn take(&mut self, block: &Block<'_>) {
-        for (grouping, part) in self.plan.groupings.iter().zip(&mut self.parts) {
-            let group = grouping.group(&self.plan.space, block.first) - part.first;
-            let start = group as usize * grouping.width;
-            let statistic = grouping.reduction.statistic;
-            let inner_is_reduced = grouping.reduces_inner_axis();
-            let values = match block.results {
-                Results::Values(values) => values,
-                Results::Summaries(summaries, wanted) => {
-                    for (cells, summary) in part.cells.iter_mut().zip(summaries) {
-                        let cells = cells.get_mut(start..).unwrap_or_default();
-                        cells::take(statistic, cells, block, (summary, wanted));
-                    }
-                    continue;
-                }
-            };
-            for (cells, values) in part.cells.iter_mut().zip(values) {
-                let cells = cells.get_mut(start..).unwrap_or_default();
-                if inner_is_reduced {
-                    cells::fold(statistic, cells, block.first, values);
-                } else {
-                    for ((cells, point), value) in cells
-                        .chunks_mut(grouping.width)
-                        .zip(block.first..)
-                        .zip(values.iter())
-                    {
-                        cells::fold(statistic, cells, point, std::slice::from_ref(value));
-                    }
+    /// Gives the reducer of the `points` points from `first` on what was kept of them.
+    pub(super) fn begin(&self, (first, points): (u64, usize), reducer: &mut Reducer) {
+        reducer.first = first;
+        let parts = self.plan.groupings.iter().zip(&self.parts);
+        let parts = parts.filter(|(grouping, _)| !grouping.reduces_inner_axis());
+        for (number, (grouping, part)) in parts.enumerate() {
+            let start = grouping.start(part, &self.plan.space, first);
+            for (quantity, cells) in part.cells.iter().enumerate() {
+                if let Some(accumulator) = reducer.accumulators(quantity).get_mut(number) {
+                    cells.begin(start..start + points, accumulator);
                 }
             }
+        }
+    }
+
+    /// Takes what came of these points.
+    pub(super) fn end(&mut self, (first, points): (u64, usize), reducer: &mut Reducer) {
+        let parts = self.plan.groupings.iter().zip(&mut self.parts);
+        let mut number = 0;
+        for (grouping, part) in parts {
+            let start = grouping.start(part, &self.plan.space, first);
+            let statistic = grouping.reduction.statistic;
+            if grouping.reduces_inner_axis() {
+                for (quantity, cells) in part.cells.iter_mut().enumerate() {
+                    if let Some(summary) = reducer.summary(quantity) {
+                        cells.take(statistic, start, first, (summary, reducer.wanted()));
+                    }
+                }
+                continue;
+            }
+            for (quantity, cells) in part.cells.iter_mut().enumerate() {
+                if let Some(accumulator) = reducer.accumulators(quantity).get(number) {
+                    cells.end(start..start + points * grouping.width, accumulator);
+                }
+            }
+            number += 1;
         }
     }
 
@@ -353,40 +299,25 @@ impl<'a> Reductions<'a> {
         for ((grouping, part), later) in groupings.zip(&mut self.parts).zip(&later.parts) {
             let start = (later.first - part.first) as usize * grouping.width;
             for (cells, later) in part.cells.iter_mut().zip(&later.cells) {
-                let cells = cells.get_mut(start..).unwrap_or_default();
-                cells::merge(grouping.reduction.statistic, cells, later);
+                cells.merge(grouping.reduction.statistic, start, later);
             }
         }
     }
 
     /// All of it as bytes, to go on from later with [`Plan::reduce_from`](super::Plan::reduce_from).
     pub fn to_bytes(&self) -> Vec<u8> {
-        let cells = self
-            .parts
-            .iter()
-            .flat_map(|part| part.cells.iter().flatten());
-        cells.flat_map(|cell| cell.to_bytes()).collect()
+        let cells = self.parts.iter().flat_map(|part| &part.cells);
+        cells.flat_map(Cells::to_bytes).collect()
     }
 
     /// What [`Reductions::to_bytes`] wrote, for the same plan.
     pub(super) fn from_bytes(plan: &'a Plan, bytes: &[u8]) -> Result<Self, ScanError> {
         let mut reductions = Self::of_all(plan);
-        let (mut cells, rest) = bytes.as_chunks::<16>();
-        if !rest.is_empty() {
-            return Err(ScanError::ForeignState);
+        let mut rest = bytes;
+        for cells in reductions.parts.iter_mut().flat_map(|part| &mut part.cells) {
+            rest = cells.read(rest).ok_or(ScanError::ForeignState)?;
         }
-        for cell in reductions
-            .parts
-            .iter_mut()
-            .flat_map(|part| part.cells.iter_mut().flatten())
-        {
-            let Some((first, others)) = cells.split_first() else {
-                return Err(ScanError::ForeignState);
-            };
-            *cell = Cell::from_bytes(first);
-            cells = others;
-        }
-        if cells.is_empty() {
+        if rest.is_empty() {
             Ok(reductions)
         } else {
             Err(ScanError::ForeignState)
@@ -410,7 +341,7 @@ impl<'a> Reductions<'a> {
 #[derive(Clone, Debug)]
 pub struct Reduced {
     grouping: Grouping,
-    cells: Vec<Vec<Cell>>,
+    cells: Vec<Cells>,
 }
 
 impl Reduced {
@@ -444,20 +375,20 @@ impl Reduced {
     /// histogram the count in all bins. None where the quantity exists at none of the group's
     /// points, except for a count, which then is 0.
     pub fn value(&self, quantity: usize, group: u64) -> Option<f64> {
-        let cells = self.group(quantity, group)?;
+        let mut cells = self.group(quantity, group)?;
         match self.grouping.reduction.statistic {
-            Statistic::Histogram { .. } => {
-                let bins = cells.get(1..cells.len() - 1)?;
-                Some(bins.iter().map(|cell| cell.number).sum::<u64>() as f64)
+            Statistic::Histogram { bins, .. } => {
+                let in_bins = cells.skip(1).take(bins as usize);
+                Some(in_bins.map(|cell| cell.number).sum::<u64>() as f64)
             }
-            statistic => cells.first()?.value(statistic),
+            statistic => cells.next()?.value(statistic),
         }
     }
 
     /// The point at which the maximum or minimum of a group lies; the first, where there are more.
     pub fn point(&self, quantity: usize, group: u64) -> Option<u64> {
         let statistic = self.grouping.reduction.statistic;
-        let cell = self.group(quantity, group)?.first()?;
+        let cell = self.group(quantity, group)?.next()?;
         let located = statistic.locates() && cell.value(statistic).is_some();
         located.then_some(cell.number)
     }
@@ -470,19 +401,16 @@ impl Reduced {
             Statistic::Histogram { .. }
         );
         let cells = self.group(quantity, group).filter(|_| histogram);
-        cells
-            .unwrap_or_default()
-            .iter()
-            .map(|cell| cell.number)
-            .collect()
+        let cells = cells.into_iter().flatten();
+        cells.map(|cell| cell.number).collect()
     }
 
-    fn group(&self, quantity: usize, group: u64) -> Option<&[Cell]> {
+    fn group(&self, quantity: usize, group: u64) -> Option<impl Iterator<Item = Cell>> {
         let start = usize::try_from(group)
             .ok()?
             .checked_mul(self.grouping.width)?;
         self.cells
             .get(quantity)?
-            .get(start..start + self.grouping.width)
+            .range(start..start + self.grouping.width)
     }
 }

@@ -10,7 +10,7 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 use thiserror::Error;
 
 use super::Plan;
-use super::chunk::{self, Block, Chunk, Counts, Kernels};
+use super::chunk::{self, Chunk, Counts, Kernels};
 use super::error::ScanError;
 use super::reduce::{Reduced, Reductions};
 use super::sink::Sink;
@@ -104,13 +104,7 @@ impl Plan {
             Reductions::from_bytes(self, state)?
         };
         let kernels = Kernels::new(self);
-        let wanted = reductions.wanted();
-        let work = |number, stop: &dyn Fn() -> bool| {
-            let mut part = Reductions::of_chunk(self, number);
-            let take = |block: &Block<'_>| part.take(block);
-            let counts = chunk::evaluate_blocks(&kernels, number, stop, wanted.as_ref(), take)?;
-            Some((counts, part))
-        };
+        let work = |number, stop: &dyn Fn() -> bool| chunk::reduce(&kernels, number, stop);
         let all = chunk..self.chunk_count();
         let outcome = self.ordered(all, control, work, |number, (part_counts, part)| {
             counts.add(&part_counts);

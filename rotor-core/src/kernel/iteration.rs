@@ -1,0 +1,106 @@
+//! Quantities that are found by iteration, as kernels: row by row within a pack, NaN where there is none.
+
+use std::marker::PhantomData;
+
+use lanes::{Kernel, LONGEST, Pack, Simd};
+
+use crate::equations::Coefficients;
+use crate::region::{self, RegionKind};
+use crate::stability;
+
+/// A region, as a type.
+pub(super) trait Region {
+    const KIND: RegionKind;
+}
+
+/// The simple region.
+pub(super) struct Simple;
+
+impl Region for Simple {
+    const KIND: RegionKind = RegionKind::Simple;
+}
+
+/// The combination region.
+pub(super) struct Combination;
+
+impl Region for Combination {
+    const KIND: RegionKind = RegionKind::Combination;
+}
+
+/// The exact ends of a region, the lower and the upper, from the coefficients.
+pub(super) struct Ends<R>(PhantomData<R>);
+
+impl<R: Region> Kernel<0, 8, 2> for Ends<R> {
+    #[inline(always)]
+    fn evaluate<S: Simd>(simd: S, _: [Pack<S>; 0], along: [Pack<S>; 8]) -> [Pack<S>; 2] {
+        by_rows(simd, along, ends::<R>)
+    }
+}
+
+fn ends<R: Region>(numbers: &[f64; 8]) -> [f64; 2] {
+    let found = region::exact_ends(R::KIND, &coefficients(numbers));
+    found.map_or([f64::NAN; 2], |ends| [ends.lower, ends.upper])
+}
+
+/// The growth rate from the coefficients and the speed.
+pub(super) struct GrowthRate;
+
+impl Kernel<0, 9, 1> for GrowthRate {
+    #[inline(always)]
+    fn evaluate<S: Simd>(simd: S, _: [Pack<S>; 0], along: [Pack<S>; 9]) -> [Pack<S>; 1] {
+        by_rows(simd, along, growth_rate)
+    }
+}
+
+fn growth_rate([numbers @ .., speed]: &[f64; 9]) -> [f64; 1] {
+    [stability::growth_rate(&coefficients(numbers), *speed).unwrap_or(f64::NAN)]
+}
+
+/// In the order in which [`Coefficients`] has them.
+const fn coefficients(numbers: &[f64; 8]) -> Coefficients {
+    let [
+        beta,
+        gamma,
+        delta,
+        epsilon_1,
+        epsilon_12,
+        epsilon_2,
+        disk_asymmetry,
+        crack_angle,
+    ] = *numbers;
+    Coefficients {
+        beta,
+        gamma,
+        delta,
+        epsilon_1,
+        epsilon_12,
+        epsilon_2,
+        disk_asymmetry,
+        crack_angle,
+    }
+}
+
+/// A function of the numbers of a row, for each row of a pack. Rows that repeat the one before, as those beyond the end of a
+/// column do, repeat its results.
+#[inline(always)]
+fn by_rows<S: Simd, const ALONG: usize, const RESULTS: usize>(
+    simd: S,
+    along: [Pack<S>; ALONG],
+    function: fn(&[f64; ALONG]) -> [f64; RESULTS],
+) -> [Pack<S>; RESULTS] {
+    let numbers = |row: usize| along.each_ref().map(|pack| pack.as_slice()[row]);
+    let mut results = [[f64::NAN; LONGEST]; RESULTS];
+    let mut last: Option<([f64; ALONG], [f64; RESULTS])> = None;
+    for row in 0..Pack::<S>::LENGTH {
+        let numbers = numbers(row);
+        let found = match last {
+            Some((known, found)) if known == numbers => found,
+            _ => function(&numbers),
+        };
+        for (results, found) in results.iter_mut().zip(found) {
+            results[row] = found;
+        }
+        last = Some((numbers, found));
+    }
+    results.map(|results| Pack::load(simd, &results[..Pack::<S>::LENGTH]))
+}

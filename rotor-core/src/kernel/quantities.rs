@@ -1,0 +1,323 @@
+//! The last stage: from what the points of a block have to each quantity, in packs, to wherever it goes.
+
+use lanes::{ALL, Kernel, Level, store};
+
+use crate::equations::{
+    Coefficients, both_widths, both_widths_squared, cir_start, cir_zup_asymmetry, reference_speed,
+    sir_start, sir_zup_asymmetry,
+};
+use crate::extremes::Itself;
+use crate::quantity::Quantity;
+
+use super::chain::{Chain, Needs};
+use super::destination::{Destination, Finite, Kind, Positive, WithGaps};
+use super::iteration::{Combination, Ends, GrowthRate, Region, Simple};
+use super::list::{List, columns};
+
+use both_widths::along_beta_and_gamma_and_delta_and_epsilon_1_and_epsilon_12_and_epsilon_2 as along_coefficients;
+use both_widths::{along_crack_angle, along_disk_asymmetry};
+
+/// What quantities need of the chain.
+pub(super) fn needs(quantities: &[Quantity]) -> Needs {
+    let mut needs = Needs::default();
+    for quantity in quantities {
+        match quantity {
+            Quantity::C11 | Quantity::C22 | Quantity::C33 | Quantity::C44 => {}
+            Quantity::ReferenceSpeed => needs.stiffness = true,
+            Quantity::CirStart
+            | Quantity::CirWidth
+            | Quantity::CirZupAsymmetry
+            | Quantity::CirExactLower
+            | Quantity::CirExactUpper => {
+                (needs.stiffness, needs.coefficients) = (true, true);
+                needs.combination = true;
+            }
+            _ => (needs.stiffness, needs.coefficients) = (true, true),
+        }
+    }
+    needs
+}
+
+/// What both widths have of each of these angles or asymmetries, whatever the coefficients: their tables along the only
+/// input that varies.
+#[derive(Clone, Debug)]
+pub(super) enum AxisTables {
+    Angle([Vec<f64>; along_crack_angle::TABLES]),
+    Asymmetry([Vec<f64>; along_disk_asymmetry::TABLES]),
+    /// Another input varies too, or instead.
+    None,
+}
+
+impl AxisTables {
+    pub(super) fn along(varied: &[&str], values: &[&[f64]]) -> Self {
+        match (varied, values) {
+            (["crack_angle"], [angles]) => {
+                tabulated::<along_crack_angle::Along, _>(angles).map_or(Self::None, Self::Angle)
+            }
+            (["disk_asymmetry"], [asymmetries]) => {
+                tabulated::<along_disk_asymmetry::Along, _>(asymmetries)
+                    .map_or(Self::None, Self::Asymmetry)
+            }
+            _ => Self::None,
+        }
+    }
+}
+
+fn tabulated<A, const TABLES: usize>(values: &[f64]) -> Option<[Vec<f64>; TABLES]>
+where
+    A: Kernel<0, 1, TABLES>,
+{
+    let mut tables = [(); TABLES].map(|()| vec![f64::NAN; values.len()]);
+    let slices = tables.each_mut().map(Vec::as_mut_slice);
+    store::<A, ALL, 0, 1, TABLES>(Level::best(), &[], [values], slices).ok()?;
+    Some(tables)
+}
+
+/// A block of a row: what its points have.
+pub(super) struct Row<'a> {
+    pub(super) chain: &'a mut Chain,
+    pub(super) tables: &'a AxisTables,
+    /// The disk's asymmetry, the crack's angle and the speed.
+    pub(super) asymmetry: &'a mut List,
+    pub(super) angle: &'a mut List,
+    pub(super) speed: &'a mut List,
+    /// Any column of the points.
+    pub(super) any: &'a [f64],
+}
+
+impl Row<'_> {
+    /// Evaluates these quantities. None where that cannot be done.
+    pub(super) fn evaluate<D: Destination>(
+        &mut self,
+        quantities: &[Quantity],
+        to: &mut D,
+    ) -> Option<()> {
+        for places in pairs(quantities, [Quantity::SirWidth, Quantity::CirWidth]) {
+            self.widths(places, to)?;
+        }
+        for places in pairs(
+            quantities,
+            [Quantity::SirExactLower, Quantity::SirExactUpper],
+        ) {
+            self.ends::<D, Simple>(places, to)?;
+        }
+        for places in pairs(
+            quantities,
+            [Quantity::CirExactLower, Quantity::CirExactUpper],
+        ) {
+            self.ends::<D, Combination>(places, to)?;
+        }
+        for (place, quantity) in quantities.iter().enumerate() {
+            self.single(place, *quantity, to)?;
+        }
+        Some(())
+    }
+
+    /// Evaluates a quantity that does not come in a pair.
+    fn single<D: Destination>(
+        &mut self,
+        place: usize,
+        quantity: Quantity,
+        to: &mut D,
+    ) -> Option<()> {
+        let any = self.any;
+        let number = quantity as usize;
+        // The equations take the first three or six of the coefficients.
+        macro_rules! of_coefficients {
+            ($equation:ident, $kind:ty, $count:literal) => {{
+                let lists = self.chain.coefficients()?.first_chunk_mut::<$count>()?;
+                along::<$equation::Rows, $kind, D, $count>(place, lists.each_mut(), any, to)
+            }};
+        }
+        match quantity {
+            Quantity::C11 | Quantity::C22 | Quantity::C33 | Quantity::C44 => {
+                let list = &mut self.chain.compliance()?[number - Quantity::C11 as usize];
+                along::<Itself, Finite, D, 1>(place, [list], any, to)
+            }
+            Quantity::Beta
+            | Quantity::Gamma
+            | Quantity::Delta
+            | Quantity::Epsilon1
+            | Quantity::Epsilon12
+            | Quantity::Epsilon2 => {
+                let list = &mut self.chain.coefficients()?[number - Quantity::Beta as usize];
+                along::<Itself, Finite, D, 1>(place, [list], any, to)
+            }
+            Quantity::ReferenceSpeed => {
+                let lists = self.chain.mass_and_stiffness()?;
+                along::<reference_speed::Rows, Positive, D, 2>(place, lists, any, to)
+            }
+            Quantity::SirStart => of_coefficients!(sir_start, Positive, 3),
+            Quantity::CirStart => of_coefficients!(cir_start, Positive, 3),
+            Quantity::SirZupAsymmetry => of_coefficients!(sir_zup_asymmetry, Finite, 6),
+            Quantity::CirZupAsymmetry => of_coefficients!(cir_zup_asymmetry, Finite, 6),
+            Quantity::GrowthRate => {
+                let [beta, gamma, delta, epsilon_1, epsilon_12, epsilon_2] =
+                    self.chain.coefficients()?.first_chunk_mut()?.each_mut();
+                let (asymmetry, angle) = (&mut *self.asymmetry, &mut *self.angle);
+                let speed = &mut *self.speed;
+                let lists = [
+                    beta, gamma, delta, epsilon_1, epsilon_12, epsilon_2, asymmetry, angle, speed,
+                ];
+                along::<GrowthRate, WithGaps, D, 9>(place, lists, any, to)
+            }
+            // These come in pairs.
+            Quantity::SirWidth
+            | Quantity::CirWidth
+            | Quantity::SirExactLower
+            | Quantity::SirExactUpper
+            | Quantity::CirExactLower
+            | Quantity::CirExactUpper => Some(()),
+        }
+    }
+
+    /// The coefficients of all points.
+    fn coefficients(&mut self) -> Option<[&mut List; 8]> {
+        let [beta, gamma, delta, epsilon_1, epsilon_12, epsilon_2] =
+            self.chain.coefficients()?.first_chunk_mut()?.each_mut();
+        let (asymmetry, angle) = (&mut *self.asymmetry, &mut *self.angle);
+        Some([
+            beta, gamma, delta, epsilon_1, epsilon_12, epsilon_2, asymmetry, angle,
+        ])
+    }
+
+    fn widths<D: Destination>(&mut self, places: [Option<usize>; 2], to: &mut D) -> Option<()> {
+        let first = self.first()?;
+        if self.chain.coefficients_are_same() {
+            match self.tables {
+                AxisTables::Angle(tables) => {
+                    use along_crack_angle::{FIXED, Points, TABLES, fixed};
+                    use both_widths_squared::along_crack_angle as squares;
+                    let tables = tables.each_ref().map(Vec::as_slice);
+                    let squared = squares::fixed(&first);
+                    // The widths' squares have the tables of the widths.
+                    if to.squares::<squares::Points, { squares::FIXED }, TABLES>(
+                        places, &squared, tables,
+                    )? {
+                        return Some(());
+                    }
+                    return to.pair::<Points, Positive, FIXED, TABLES>(
+                        places,
+                        &fixed(&first),
+                        tables,
+                    );
+                }
+                AxisTables::Asymmetry(tables) => {
+                    use along_disk_asymmetry::{FIXED, Points, TABLES, fixed};
+                    let tables = tables.each_ref().map(Vec::as_slice);
+                    return to.pair::<Points, Positive, FIXED, TABLES>(
+                        places,
+                        &fixed(&first),
+                        tables,
+                    );
+                }
+                AxisTables::None => {}
+            }
+        } else if self.asymmetry.is_same() && self.angle.is_same() {
+            use along_coefficients::{FIXED, Points, TABLES, fixed};
+            let tables = columns(self.chain.widths()?, self.any.len());
+            return to.pair::<Points, Positive, FIXED, TABLES>(places, &fixed(&first), tables);
+        }
+        let any = self.any;
+        both::<both_widths::Rows, Positive, D, 8>(places, self.coefficients()?, any, to)
+    }
+
+    fn ends<D: Destination, R: Region>(
+        &mut self,
+        places: [Option<usize>; 2],
+        to: &mut D,
+    ) -> Option<()> {
+        let any = self.any;
+        both::<Ends<R>, WithGaps, D, 8>(places, self.coefficients()?, any, to)
+    }
+
+    /// The coefficients of the first point.
+    fn first(&mut self) -> Option<Coefficients> {
+        let [
+            beta,
+            gamma,
+            delta,
+            epsilon_1,
+            epsilon_12,
+            epsilon_2,
+            disk_asymmetry,
+            crack_angle,
+        ] = self.coefficients()?.map(|list| list.number());
+        Some(Coefficients {
+            beta,
+            gamma,
+            delta,
+            epsilon_1,
+            epsilon_12,
+            epsilon_2,
+            disk_asymmetry,
+            crack_angle,
+        })
+    }
+}
+
+/// The places of two quantities among others, of which each may come more than once.
+fn pairs(
+    quantities: &[Quantity],
+    pair: [Quantity; 2],
+) -> impl Iterator<Item = [Option<usize>; 2]> + use<'_> {
+    let [mut first, mut second] = pair.map(|wanted| {
+        let places = quantities.iter().enumerate();
+        places.filter_map(move |(place, quantity)| (*quantity == wanted).then_some(place))
+    });
+    std::iter::from_fn(move || {
+        let places = [first.next(), second.next()];
+        places.iter().any(Option::is_some).then_some(places)
+    })
+}
+
+/// A quantity by an equation along lists, or once where these are the same at all points, of which there is `any` column.
+fn along<K, T, D, const COUNT: usize>(
+    place: usize,
+    lists: [&mut List; COUNT],
+    any: &[f64],
+    to: &mut D,
+) -> Option<()>
+where
+    K: Kernel<0, COUNT, 1>,
+    T: Kind,
+    D: Destination,
+{
+    if !lists.iter().all(|list| list.is_same()) {
+        let columns = lists.map(|list| &*list.spread(any.len()));
+        return to.single::<K, T, 0, COUNT>(place, &[], columns);
+    }
+    let [mut number] = [f64::NAN];
+    let result = [std::slice::from_mut(&mut number)];
+    let columns = lists.map(|list| &*list.spread(1));
+    store::<K, ALL, 0, COUNT, 1>(Level::best(), &[], columns, result).ok()?;
+    to.same::<T>(place, number, any)
+}
+
+/// The same for two quantities of one equation.
+fn both<K, T, D, const COUNT: usize>(
+    places: [Option<usize>; 2],
+    lists: [&mut List; COUNT],
+    any: &[f64],
+    to: &mut D,
+) -> Option<()>
+where
+    K: Kernel<0, COUNT, 2>,
+    T: Kind,
+    D: Destination,
+{
+    if !lists.iter().all(|list| list.is_same()) {
+        let columns = lists.map(|list| &*list.spread(any.len()));
+        return to.pair::<K, T, 0, COUNT>(places, &[], columns);
+    }
+    let mut numbers = [f64::NAN; 2];
+    let results = numbers.each_mut().map(std::slice::from_mut);
+    let columns = lists.map(|list| &*list.spread(1));
+    store::<K, ALL, 0, COUNT, 2>(Level::best(), &[], columns, results).ok()?;
+    for (place, number) in places.into_iter().zip(numbers) {
+        if let Some(place) = place {
+            to.same::<T>(place, number, any)?;
+        }
+    }
+    Some(())
+}
