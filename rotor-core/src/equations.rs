@@ -216,7 +216,7 @@ mod formulas {
     }
 
     /// The loads at the crack in the model `support-arm`: Eq. (6) with the lever arm $-l_c$ (E3).
-    #[generate(columns)]
+    #[generate(value, columns)]
     pub fn support_arm(p: &RotorParameters) -> SectionLoads {
         SectionLoads {
             moment_of_force: -p.crack_position_ratio * p.shaft_length,
@@ -227,7 +227,7 @@ mod formulas {
     }
 
     /// The loads at the crack in the model `midspan-arm`: Eq. (6) as printed, with the arm $L/2 - l_c$.
-    #[generate(columns)]
+    #[generate(value, columns)]
     pub fn midspan_arm(p: &RotorParameters) -> SectionLoads {
         SectionLoads {
             moment_of_force: (0.5 - p.crack_position_ratio) * p.shaft_length,
@@ -238,7 +238,7 @@ mod formulas {
     }
 
     /// The loads at a crack left of the disk in the model `simply-supported`: statics of the beam.
-    #[generate(columns)]
+    #[generate(value, columns)]
     pub fn simply_supported_left(p: &RotorParameters) -> SectionLoads {
         let right = 1.0 - p.disk_position_ratio;
         SectionLoads {
@@ -250,7 +250,7 @@ mod formulas {
     }
 
     /// The loads at a crack right of the disk in the model `simply-supported`: statics of the beam.
-    #[generate(columns)]
+    #[generate(value, columns)]
     pub fn simply_supported_right(p: &RotorParameters) -> SectionLoads {
         let left = p.disk_position_ratio;
         SectionLoads {

@@ -65,6 +65,7 @@ pub(crate) struct Evaluated {
 pub(crate) struct Kernel<'a> {
     quantities: &'a [Quantity],
     needs: Needs,
+    as_alone: bool,
     variables: Vec<Variable>,
     /// Those that are inputs of the rotor.
     inputs: Vec<&'static NumericInput>,
@@ -85,9 +86,12 @@ pub(crate) struct Kernel<'a> {
 
 impl<'a> Kernel<'a> {
     /// A kernel for what varies within a block.
+    ///
+    /// With `as_alone`, quantities have the digits that they have for each rotor alone, and widths take more time.
     pub(crate) fn new(
         variables: impl IntoIterator<Item = Variable>,
         quantities: &'a [Quantity],
+        as_alone: bool,
     ) -> Self {
         let variables: Vec<_> = variables.into_iter().collect();
         let inputs = variables.iter().filter_map(|variable| match variable {
@@ -100,6 +104,7 @@ impl<'a> Kernel<'a> {
         Self {
             quantities,
             needs: quantities::needs(quantities),
+            as_alone,
             variables,
             chain: (!varies).then(|| Chain::new(1, &inputs, None)),
             inputs,
@@ -189,7 +194,7 @@ impl<'a> Kernel<'a> {
         speed: Option<f64>,
         results: &mut [&mut [f64]],
     ) -> Evaluated {
-        let (quantities, needs) = (self.quantities, self.needs);
+        let (quantities, needs, as_alone) = (self.quantities, self.needs, self.as_alone);
         let mut known = std::mem::take(&mut self.known);
         known.clear();
         let evaluated = self.row(row, speed).and_then(|(mut points, plain)| {
@@ -200,7 +205,11 @@ impl<'a> Kernel<'a> {
                 all_are_known: true,
                 has_gaps: false,
             };
-            points.evaluate(quantities, &mut columns)?;
+            if as_alone {
+                points.evaluate::<_, true>(quantities, &mut columns)?;
+            } else {
+                points.evaluate::<_, false>(quantities, &mut columns)?;
+            }
             let (all, has_gaps) = (columns.all_are_known, columns.has_gaps);
             let all = points.chain.trust(needs, &mut known)? && all;
             Some((all, !has_gaps))
@@ -268,7 +277,7 @@ impl<'a> Kernel<'a> {
         if !points.chain.trust(needs, &mut [])? {
             return None;
         }
-        points.evaluate(quantities, reducer)
+        points.evaluate::<_, false>(quantities, reducer)
     }
 
     fn length(&self) -> usize {

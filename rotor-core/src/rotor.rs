@@ -365,10 +365,10 @@ impl LoadCase {
     /// The loads by it.
     pub(crate) fn loads(self, p: &RotorParameters) -> SectionLoads {
         match self {
-            Self::SupportArm => equations::support_arm(p),
-            Self::MidspanArm => equations::midspan_arm(p),
-            Self::SimplySupportedLeft => equations::simply_supported_left(p),
-            Self::SimplySupportedRight => equations::simply_supported_right(p),
+            Self::SupportArm => equations::support_arm::value(p),
+            Self::MidspanArm => equations::midspan_arm::value(p),
+            Self::SimplySupportedLeft => equations::simply_supported_left::value(p),
+            Self::SimplySupportedRight => equations::simply_supported_right::value(p),
         }
     }
 }

@@ -57,6 +57,7 @@ pub fn inputs_type(symbols: &[String]) -> TokenStream {
                 pub #field: &'a [f64]
             }
         });
+    let (names, count) = (self::fields(symbols), literal(symbols.len()));
     let none = symbols.is_empty().then(|| {
         quote! {
             /// There are no columns.
@@ -69,6 +70,14 @@ pub fn inputs_type(symbols: &[String]) -> TokenStream {
         pub struct Columns<'a> {
             #(#fields,)*
             #none
+        }
+
+        impl<'a> Columns<'a> {
+            /// The columns in the order in which the bodies of rows take them.
+            #[inline]
+            pub const fn slices(&self) -> [&'a [f64]; #count] {
+                [#(self.#names),*]
+            }
         }
     }
 }
@@ -129,8 +138,7 @@ pub fn function(
         #[inline]
         pub fn #name(inputs: &Columns<'_>, results: [&mut [f64]; #count]) -> Result<(), ColumnLengthError> {
             let columns = [#(#columns,)* #(#outputs),*];
-            let along = [#(inputs.#fields),*];
-            let stored = ::lanes::rows::<#body, #along, #count>(along, results);
+            let stored = ::lanes::rows::<#body, #along, #count>(inputs.slices(), results);
             stored.map_err(|error| ColumnLengthError::of(error, &columns))
         }
     }

@@ -3,8 +3,8 @@
 use lanes::{ALL, Kernel, Level, store};
 
 use crate::equations::{
-    Coefficients, both_widths, both_widths_squared, cir_start, cir_zup_asymmetry, reference_speed,
-    sir_start, sir_zup_asymmetry,
+    Coefficients, both_widths, both_widths_squared, cir_start, cir_width, cir_zup_asymmetry,
+    reference_speed, sir_start, sir_width, sir_zup_asymmetry,
 };
 use crate::extremes::Itself;
 use crate::quantity::Quantity;
@@ -16,6 +16,22 @@ use super::list::{List, columns};
 
 use both_widths::along_beta_and_gamma_and_delta_and_epsilon_1_and_epsilon_12_and_epsilon_2 as along_coefficients;
 use both_widths::{along_crack_angle, along_disk_asymmetry};
+
+/// The columns of all coefficients as an equation takes them.
+macro_rules! slices {
+    ($equation:ident) => {{
+        slices!(
+            $equation, 8, c_beta, c_gamma, c_delta, c_epsilon_1, c_epsilon_12, c_epsilon_2,
+            c_disk_asymmetry, c_crack_angle
+        )
+    }};
+    ($equation:ident, $count:literal $(, $field:ident)*) => {{
+        fn slices([$($field),*]: [&[f64]; $count]) -> [&[f64]; $count] {
+            $equation::Columns { $($field),* }.slices()
+        }
+        slices
+    }};
+}
 
 /// What quantities need of the chain.
 pub(super) fn needs(quantities: &[Quantity]) -> Needs {
@@ -86,14 +102,19 @@ pub(super) struct Row<'a> {
 }
 
 impl Row<'_> {
-    /// Evaluates these quantities. None where that cannot be done.
-    pub(super) fn evaluate<D: Destination>(
+    /// Evaluates these quantities: widths in stages that they share or, `ALONE`, by an equation for each, with the digits
+    /// that a rotor has alone. None where that cannot be done.
+    pub(super) fn evaluate<D: Destination, const ALONE: bool>(
         &mut self,
         quantities: &[Quantity],
         to: &mut D,
     ) -> Option<()> {
         for places in pairs(quantities, [Quantity::SirWidth, Quantity::CirWidth]) {
-            self.widths(places, to)?;
+            if ALONE {
+                self.widths_alone(places, to)?;
+            } else {
+                self.widths(places, to)?;
+            }
         }
         for places in pairs(
             quantities,
@@ -124,15 +145,16 @@ impl Row<'_> {
         let number = quantity as usize;
         // The equations take the first three or six of the coefficients.
         macro_rules! of_coefficients {
-            ($equation:ident, $kind:ty, $count:literal) => {{
+            ($equation:ident, $kind:ty, $count:literal $(, $field:ident)*) => {{
                 let lists = self.chain.coefficients()?.first_chunk_mut::<$count>()?;
-                along::<$equation::Rows, $kind, D, $count>(place, lists.each_mut(), any, to)
+                let slices = slices!($equation, $count $(, $field)*);
+                along::<$equation::Rows, $kind, D, $count>(place, lists.each_mut(), slices, any, to)
             }};
         }
         match quantity {
             Quantity::C11 | Quantity::C22 | Quantity::C33 | Quantity::C44 => {
                 let list = &mut self.chain.compliance()?[number - Quantity::C11 as usize];
-                along::<Itself, Finite, D, 1>(place, [list], any, to)
+                along::<Itself, Finite, D, 1>(place, [list], |columns| columns, any, to)
             }
             Quantity::Beta
             | Quantity::Gamma
@@ -141,16 +163,41 @@ impl Row<'_> {
             | Quantity::Epsilon12
             | Quantity::Epsilon2 => {
                 let list = &mut self.chain.coefficients()?[number - Quantity::Beta as usize];
-                along::<Itself, Finite, D, 1>(place, [list], any, to)
+                along::<Itself, Finite, D, 1>(place, [list], |columns| columns, any, to)
             }
             Quantity::ReferenceSpeed => {
                 let lists = self.chain.mass_and_stiffness()?;
-                along::<reference_speed::Rows, Positive, D, 2>(place, lists, any, to)
+                let slices = slices!(reference_speed, 2, p_disk_mass, k_k_tt);
+                along::<reference_speed::Rows, Positive, D, 2>(place, lists, slices, any, to)
             }
-            Quantity::SirStart => of_coefficients!(sir_start, Positive, 3),
-            Quantity::CirStart => of_coefficients!(cir_start, Positive, 3),
-            Quantity::SirZupAsymmetry => of_coefficients!(sir_zup_asymmetry, Finite, 6),
-            Quantity::CirZupAsymmetry => of_coefficients!(cir_zup_asymmetry, Finite, 6),
+            Quantity::SirStart => {
+                of_coefficients!(sir_start, Positive, 3, c_beta, c_gamma, c_delta)
+            }
+            Quantity::CirStart => {
+                of_coefficients!(cir_start, Positive, 3, c_beta, c_gamma, c_delta)
+            }
+            Quantity::SirZupAsymmetry => of_coefficients!(
+                sir_zup_asymmetry,
+                Finite,
+                6,
+                c_beta,
+                c_gamma,
+                c_delta,
+                c_epsilon_1,
+                c_epsilon_12,
+                c_epsilon_2
+            ),
+            Quantity::CirZupAsymmetry => of_coefficients!(
+                cir_zup_asymmetry,
+                Finite,
+                6,
+                c_beta,
+                c_gamma,
+                c_delta,
+                c_epsilon_1,
+                c_epsilon_12,
+                c_epsilon_2
+            ),
             Quantity::GrowthRate => {
                 let [beta, gamma, delta, epsilon_1, epsilon_12, epsilon_2] =
                     self.chain.coefficients()?.first_chunk_mut()?.each_mut();
@@ -159,7 +206,7 @@ impl Row<'_> {
                 let lists = [
                     beta, gamma, delta, epsilon_1, epsilon_12, epsilon_2, asymmetry, angle, speed,
                 ];
-                along::<GrowthRate, WithGaps, D, 9>(place, lists, any, to)
+                along::<GrowthRate, WithGaps, D, 9>(place, lists, |columns| columns, any, to)
             }
             // These come in pairs.
             Quantity::SirWidth
@@ -219,7 +266,30 @@ impl Row<'_> {
             return to.pair::<Points, Positive, FIXED, TABLES>(places, &fixed(&first), tables);
         }
         let any = self.any;
-        both::<both_widths::Rows, Positive, D, 8>(places, self.coefficients()?, any, to)
+        both::<both_widths::Rows, Positive, D, 8>(
+            places,
+            self.coefficients()?,
+            slices!(both_widths),
+            any,
+            to,
+        )
+    }
+
+    fn widths_alone<D: Destination>(
+        &mut self,
+        [simple, combination]: [Option<usize>; 2],
+        to: &mut D,
+    ) -> Option<()> {
+        let any = self.any;
+        if let Some(place) = simple {
+            let lists = self.coefficients()?;
+            along::<sir_width::Rows, Positive, D, 8>(place, lists, slices!(sir_width), any, to)?;
+        }
+        if let Some(place) = combination {
+            let lists = self.coefficients()?;
+            along::<cir_width::Rows, Positive, D, 8>(place, lists, slices!(cir_width), any, to)?;
+        }
+        Some(())
     }
 
     fn ends<D: Destination, R: Region>(
@@ -228,7 +298,7 @@ impl Row<'_> {
         to: &mut D,
     ) -> Option<()> {
         let any = self.any;
-        both::<Ends<R>, WithGaps, D, 8>(places, self.coefficients()?, any, to)
+        both::<Ends<R>, WithGaps, D, 8>(places, self.coefficients()?, |columns| columns, any, to)
     }
 
     /// The coefficients of the first point.
@@ -271,10 +341,12 @@ fn pairs(
     })
 }
 
-/// A quantity by an equation along lists, or once where these are the same at all points, of which there is `any` column.
+/// A quantity by an equation along lists, which it takes in an order of its own; or once where these are the same at all
+/// points, of which there is `any` column.
 fn along<K, T, D, const COUNT: usize>(
     place: usize,
     lists: [&mut List; COUNT],
+    slices: fn([&[f64]; COUNT]) -> [&[f64]; COUNT],
     any: &[f64],
     to: &mut D,
 ) -> Option<()>
@@ -284,12 +356,12 @@ where
     D: Destination,
 {
     if !lists.iter().all(|list| list.is_same()) {
-        let columns = lists.map(|list| &*list.spread(any.len()));
+        let columns = slices(lists.map(|list| list.spread(any.len())));
         return to.single::<K, T, 0, COUNT>(place, &[], columns);
     }
     let [mut number] = [f64::NAN];
     let result = [std::slice::from_mut(&mut number)];
-    let columns = lists.map(|list| &*list.spread(1));
+    let columns = slices(lists.map(|list| list.spread(1)));
     store::<K, ALL, 0, COUNT, 1>(Level::best(), &[], columns, result).ok()?;
     to.same::<T>(place, number, any)
 }
@@ -298,6 +370,7 @@ where
 fn both<K, T, D, const COUNT: usize>(
     places: [Option<usize>; 2],
     lists: [&mut List; COUNT],
+    slices: fn([&[f64]; COUNT]) -> [&[f64]; COUNT],
     any: &[f64],
     to: &mut D,
 ) -> Option<()>
@@ -307,12 +380,12 @@ where
     D: Destination,
 {
     if !lists.iter().all(|list| list.is_same()) {
-        let columns = lists.map(|list| &*list.spread(any.len()));
+        let columns = slices(lists.map(|list| list.spread(any.len())));
         return to.pair::<K, T, 0, COUNT>(places, &[], columns);
     }
     let mut numbers = [f64::NAN; 2];
     let results = numbers.each_mut().map(std::slice::from_mut);
-    let columns = lists.map(|list| &*list.spread(1));
+    let columns = slices(lists.map(|list| list.spread(1)));
     store::<K, ALL, 0, COUNT, 2>(Level::best(), &[], columns, results).ok()?;
     for (place, number) in places.into_iter().zip(numbers) {
         if let Some(place) = place {

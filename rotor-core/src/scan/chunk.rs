@@ -167,7 +167,7 @@ impl<'a> Kernels<'a> {
             .and_then(|mut waiting| waiting.pop());
         waiting.or_else(|| {
             let (_, inner) = self.plan.space.outer_and_inner()?;
-            Some(Kernel::new(inner.variables(), &self.plan.quantities))
+            Some(Kernel::new(inner.variables(), &self.plan.quantities, false))
         })
     }
 
