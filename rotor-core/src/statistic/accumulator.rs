@@ -61,10 +61,8 @@ impl Accumulator {
         let simd = value.simd();
         let rows = first..first + Pack::<S>::LENGTH;
         let (values, numbers) = (&mut self.values[rows.clone()], &mut self.numbers[rows]);
-        let [kept, number] = [&*values, &*numbers].map(
-            #[inline(always)]
-            |list| Pack::load(simd, list),
-        );
+        // Not as an array: its adapters are functions of their own.
+        let (kept, number) = (Pack::load(simd, values), Pack::load(simd, numbers));
         match self.statistic {
             Statistic::Maximum => kept.max(value).store(values),
             Statistic::Minimum => kept.min(value).store(values),

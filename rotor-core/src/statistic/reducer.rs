@@ -7,7 +7,7 @@ use lanes::{Consumer, Kernel, Level, Pack, Simd, fold};
 use crate::extremes::Extremes;
 
 use super::accumulator::Accumulator;
-use super::summary::{Found, Gaps, Lanes, Summary, Tally, Wanted};
+use super::summary::{Found, Gaps, Lanes, Pass, Summary, Tally, Wanted};
 
 /// What is to be known of the quantities of a block, and what was found.
 #[derive(Debug)]
@@ -74,18 +74,16 @@ impl Reducer {
         K: Kernel<FIXED, ALONG, RESULTS>,
         G: Gaps,
     {
-        let of_rows = quantities
-            .iter()
-            .flatten()
-            .any(|place| !self.accumulators[*place].is_empty());
-        if of_rows {
+        let mut places = quantities.iter().flatten();
+        let of_rows = places.any(|place| !self.accumulators[*place].is_empty());
+        if of_rows || self.wanted.has_tallies() {
             self.run::<K, G, true, FIXED, ALONG, RESULTS>(quantities, fixed, along)
         } else {
             self.run::<K, G, false, FIXED, ALONG, RESULTS>(quantities, fixed, along)
         }
     }
 
-    fn run<K, G, const EACH: bool, const FIXED: usize, const ALONG: usize, const RESULTS: usize>(
+    fn run<K, G, const SINGLY: bool, const FIXED: usize, const ALONG: usize, const RESULTS: usize>(
         &mut self,
         quantities: [Option<usize>; RESULTS],
         fixed: &[f64; FIXED],
@@ -96,10 +94,12 @@ impl Reducer {
         G: Gaps,
     {
         let rows = along.first().map_or(0, |column| column.len()) as u64;
-        let mut taking = Taking::<'_, G, EACH, RESULTS> {
+        let mut taking = Taking::<'_, G, SINGLY, RESULTS> {
             gaps: PhantomData,
+            pass: Pass::of(&self.wanted),
             wanted: &self.wanted,
             first: self.first as f64,
+            has_tallies: self.wanted.has_tallies(),
             tallies: [(); RESULTS].map(|()| Tally::of(&self.wanted)),
             accumulators: quantities.map(|place| {
                 place
@@ -137,11 +137,13 @@ impl Reducer {
 }
 
 /// Takes numbers for their columns as a whole and, with `EACH`, for each row.
-struct Taking<'a, G, const EACH: bool, const RESULTS: usize> {
+struct Taking<'a, G, const SINGLY: bool, const RESULTS: usize> {
     gaps: PhantomData<G>,
+    pass: Pass,
     wanted: &'a Wanted,
     /// The point of the first row.
     first: f64,
+    has_tallies: bool,
     tallies: [Tally; RESULTS],
     accumulators: [Vec<Accumulator>; RESULTS],
 }
@@ -150,8 +152,8 @@ struct Taking<'a, G, const EACH: bool, const RESULTS: usize> {
     clippy::needless_range_loop,
     reason = "adapters of iterators are not always inlined into these loops"
 )]
-impl<G: Gaps, const EACH: bool, const RESULTS: usize> Consumer<RESULTS>
-    for Taking<'_, G, EACH, RESULTS>
+impl<G: Gaps, const SINGLY: bool, const RESULTS: usize> Consumer<RESULTS>
+    for Taking<'_, G, SINGLY, RESULTS>
 {
     type Lanes<S: Simd> = Lanes<S, RESULTS>;
     type Output = [Found; RESULTS];
@@ -169,9 +171,12 @@ impl<G: Gaps, const EACH: bool, const RESULTS: usize> Consumer<RESULTS>
         rows: usize,
         results: &[Pack<S>; RESULTS],
     ) {
-        lanes.take::<G>(self.wanted, &mut self.tallies, (first, rows), results);
-        if EACH {
+        lanes.take::<G>(self.pass, (first, rows), results);
+        if SINGLY {
             for place in 0..RESULTS {
+                if self.has_tallies {
+                    self.tallies[place].count(self.wanted, &results[place].as_slice()[..rows]);
+                }
                 for accumulator in &mut self.accumulators[place] {
                     accumulator.take::<S, G>(first, self.first + first as f64, results[place]);
                 }

@@ -35,6 +35,12 @@ impl Wanted {
         }
     }
 
+    /// Whether anything is counted one by one.
+    pub(super) fn has_tallies(&self) -> bool {
+        let (_, further) = self.thresholds();
+        !(further.is_empty() && self.bins.is_empty())
+    }
+
     /// The thresholds that a pass over a column counts in packs, and the others.
     fn thresholds(&self) -> (&[f64], &[f64]) {
         let in_packs = self.thresholds.len().min(IN_PACKS);
@@ -91,6 +97,29 @@ const IN_PACKS: usize = 2;
 /// The fewest rows of a pack.
 const SHORTEST: usize = 2;
 
+/// What a pass over columns looks at in each pack: nothing that has to be looked for.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Pass {
+    places: bool,
+    sum: bool,
+    thresholds: [f64; IN_PACKS],
+    in_packs: usize,
+}
+
+impl Pass {
+    pub(super) fn of(wanted: &Wanted) -> Self {
+        let (in_packs, _) = wanted.thresholds();
+        let mut thresholds = [f64::INFINITY; IN_PACKS];
+        thresholds[..in_packs.len()].copy_from_slice(in_packs);
+        Self {
+            places: wanted.places,
+            sum: wanted.sum,
+            thresholds,
+            in_packs: in_packs.len(),
+        }
+    }
+}
+
 /// What is kept in packs for each of some columns: nothing that has an address, so that it stays in registers.
 #[derive(Clone, Copy)]
 pub(super) struct Lanes<S: Simd, const COLUMNS: usize> {
@@ -119,9 +148,9 @@ impl Tally {
         }
     }
 
-    /// Away from the loop, so that this has room for its numbers in registers.
+    /// Takes numbers, of which those that are NaN take no part.
     #[inline(never)]
-    fn count(&mut self, wanted: &Wanted, values: &[f64]) {
+    pub(super) fn count(&mut self, wanted: &Wanted, values: &[f64]) {
         let (_, further) = wanted.thresholds();
         for (threshold, count) in further.iter().zip(&mut self.above) {
             *count += values.iter().filter(|value| *value > threshold).count() as u64;
@@ -155,15 +184,13 @@ impl<S: Simd, const COLUMNS: usize> Lanes<S, COLUMNS> {
     #[inline(always)]
     pub(super) fn take<G: Gaps>(
         &mut self,
-        wanted: &Wanted,
-        tallies: &mut [Tally; COLUMNS],
+        pass: Pass,
         (first, rows): (usize, usize),
         values: &[Pack<S>; COLUMNS],
     ) {
-        let (in_packs, further) = wanted.thresholds();
         for place in 0..COLUMNS {
             let value = values[place];
-            if wanted.places {
+            if pass.places {
                 let [least, greatest, _] = self.extremes[place];
                 let values = [
                     without_gaps::<S, G>(value, f64::INFINITY),
@@ -171,25 +198,21 @@ impl<S: Simd, const COLUMNS: usize> Lanes<S, COLUMNS> {
                 ];
                 self.places[place] = places(first, values, [least, greatest], self.places[place]);
             }
-            if wanted.sum {
+            if pass.sum {
                 let slot = first / Pack::<S>::LENGTH % (SUMS / Pack::<S>::LENGTH);
                 self.sums[place][slot] =
                     self.sums[place][slot] + only(rows, without_gaps::<S, G>(value, 0.0), 0.0);
             }
             for number in 0..IN_PACKS {
-                if number < in_packs.len() {
+                if number < pass.in_packs {
                     let counted = without_gaps::<S, G>(value, f64::NEG_INFINITY);
                     let counted = only(rows, counted, f64::NEG_INFINITY);
                     let count = self.above[place][number];
-                    self.above[place][number] = count + above(counted, in_packs[number]);
+                    self.above[place][number] = count + above(counted, pass.thresholds[number]);
                 }
             }
             if G::HAS_GAPS {
                 self.present[place] = self.present[place] + only(rows, present(value), 0.0);
-            }
-            if !(wanted.bins.is_empty() && further.is_empty()) {
-                std::hint::cold_path();
-                tallies[place].count(wanted, &value.as_slice()[..rows]);
             }
         }
         Span::widen(&mut self.extremes, values);
@@ -251,23 +274,30 @@ pub(super) fn without_gaps<S: Simd, G: Gaps>(value: Pack<S>, other: f64) -> Pack
     if !G::HAS_GAPS {
         return value;
     }
-    let [infinity, other] = [f64::INFINITY, other].map(|number| Pack::splat(value.simd(), number));
+    let infinity = Pack::splat(value.simd(), f64::INFINITY);
+    let other = Pack::splat(value.simd(), other);
     value.select_le(infinity, value, other)
 }
 
 /// 1 in the rows that are numbers, 0 in those that are NaN.
 #[inline(always)]
 pub(super) fn present<S: Simd>(value: Pack<S>) -> Pack<S> {
-    let [infinity, zero, one] =
-        [f64::INFINITY, 0.0, 1.0].map(|number| Pack::splat(value.simd(), number));
+    let infinity = Pack::splat(value.simd(), f64::INFINITY);
+    let (zero, one) = (
+        Pack::splat(value.simd(), 0.0),
+        Pack::splat(value.simd(), 1.0),
+    );
     value.select_le(infinity, one, zero)
 }
 
 /// 1 in the rows that are above a threshold, 0 in the others.
 #[inline(always)]
 pub(super) fn above<S: Simd>(value: Pack<S>, threshold: f64) -> Pack<S> {
-    let [threshold, zero, one] =
-        [threshold, 0.0, 1.0].map(|number| Pack::splat(value.simd(), number));
+    let threshold = Pack::splat(value.simd(), threshold);
+    let (zero, one) = (
+        Pack::splat(value.simd(), 0.0),
+        Pack::splat(value.simd(), 1.0),
+    );
     value.select_le(threshold, zero, one)
 }
 
