@@ -150,7 +150,7 @@ impl<S: Simd> Pack<S> {
 
     /// The largest whole number that is not larger.
     #[inline(always)]
-    pub(crate) fn floor(self) -> Self {
+    pub fn floor(self) -> Self {
         self.with(self.numbers.floor())
     }
 

@@ -403,8 +403,7 @@ mod formulas {
     /// $\Theta_1$, the crack's part of the excitation, Eq. (25c).
     #[generate(value)]
     pub fn theta_1(omega: f64, speed: f64, c: &Coefficients) -> f64 {
-        let h = transverse(omega);
-        let h_bar = transverse(2.0 * speed - omega);
+        let (h, h_bar) = (transverse(omega), transverse(2.0 * speed - omega));
         let gamma_2 = c.gamma.powi(2);
         c.epsilon_1 * gamma_2 - c.epsilon_12 * gamma_2 * (h + h_bar)
             + c.epsilon_2 * c.delta * h * h_bar
@@ -536,10 +535,8 @@ mod formulas {
     /// its digits where the other keeps them; their parts have one sign, and the quotient of the sums has all digits.
     pub fn cir_strength(omega: f64, speed: f64, c: &Coefficients) -> f64 {
         let omega_bar = 2.0 * speed - omega;
-        let h = transverse(omega);
-        let h_bar = transverse(omega_bar);
-        let g = tilting(omega, speed, c);
-        let g_bar = tilting(omega_bar, speed, c);
+        let (h, h_bar) = (transverse(omega), transverse(omega_bar));
+        let (g, g_bar) = (tilting(omega, speed, c), tilting(omega_bar, speed, c));
         let inertia = c.gamma * c.disk_asymmetry * omega * omega_bar;
         let crack = coupled_crack_excitation(h, g_bar, c);
         let crack_bar = coupled_crack_excitation(h_bar, g, c);
@@ -594,8 +591,7 @@ mod formulas {
     /// Width $\lambda_c$ of the combination region, Eq. (31) at $\Omega_c$; for $\beta < 2$ and $\gamma \ne 0$.
     #[generate(value, gradient, columns)]
     pub fn cir_width(c: &Coefficients) -> f64 {
-        let speed = cir_start(c);
-        let omega = cir_omega(c);
+        let (omega, speed) = (cir_omega(c), cir_start(c));
         width(omega, speed, cir_strength(omega, speed, c), c)
     }
 
@@ -621,8 +617,7 @@ mod formulas {
     /// Growth rate in the combination region at the detuning $\vartheta = \Omega - \Omega_c$, Eq. (29).
     #[generate(value)]
     pub fn cir_growth(detuning: f64, c: &Coefficients) -> f64 {
-        let speed = cir_start(c);
-        let omega = cir_omega(c);
+        let (omega, speed) = (cir_omega(c), cir_start(c));
         growth(omega, speed, cir_strength(omega, speed, c), detuning, c)
     }
 
@@ -655,50 +650,51 @@ mod formulas {
     /// The disk asymmetry that closes the combination region at $\phi = 0$, Eq. (32), as in [`cir_strength()`].
     #[generate(value, columns)]
     pub fn cir_zup_asymmetry(c: &Coefficients) -> f64 {
-        let speed = cir_start(c);
-        let omega = cir_omega(c);
+        let (omega, speed) = (cir_omega(c), cir_start(c));
         let omega_bar = 2.0 * speed - omega;
-        let h = transverse(omega);
-        let h_bar = transverse(omega_bar);
+        let (h, h_bar) = (transverse(omega), transverse(omega_bar));
         let crack = coupled_crack_excitation(h, tilting(omega_bar, speed, c), c);
         let crack_bar = coupled_crack_excitation(h_bar, tilting(omega, speed, c), c);
         (crack_bar - crack) / (c.gamma * omega * omega_bar * (h - h_bar))
     }
 
     // ---- Both widths straight from the physical rotor ----------------------------------------------
-    /// Both widths, $\lambda_s$ and $\lambda_c$, of a rotor whose crack is loaded as in `s`.
-    pub fn widths(p: &RotorParameters, s: &SectionLoads, edge_factor: f64) -> (f64, f64) {
-        both_widths(&coefficients(
-            p,
-            &stiffness(p, s, &crack_compliance(p, edge_factor)),
-        ))
+    /// Both widths, $\lambda_s$ and $\lambda_c$, of a rotor with a crack of this compliance, loaded as in `s`; in stages along it.
+    #[domain(p.disk_mass > 0.0, p.disk_diametral_inertia > 0.0, p.disk_polar_inertia > 0.0, p.disk_position_ratio > 0.0, p.shaft_length > 0.0, p.shaft_radius > 0.0, p.shaft_youngs_modulus > 0.0, c.c11 >= 0.0, c.c22 >= 0.0, c.c33 >= 0.0, c.c44 >= 0.0)]
+    #[generate(stage(c.c11, c.c22, c.c33, c.c44))]
+    pub fn widths(p: &RotorParameters, s: &SectionLoads, c: &CrackCompliance) -> (f64, f64) {
+        both_widths(&coefficients(p, &stiffness(p, s, c)))
     }
 
     /// Both widths in the model of [`support_arm()`].
     #[domain(p.disk_mass > 0.0, p.disk_diametral_inertia > 0.0, p.disk_polar_inertia > 0.0, p.disk_position_ratio > 0.0, p.shaft_length > 0.0, p.shaft_radius > 0.0, p.shaft_youngs_modulus > 0.0, p.crack_depth_ratio >= 0.0, p.crack_position_ratio > 0.0, edge_factor > 0.0)]
     #[generate(value, gradient(p.disk_mass, p.disk_diametral_inertia, p.disk_polar_inertia, p.disk_asymmetry, p.disk_position_ratio, p.shaft_length, p.shaft_radius, p.shaft_youngs_modulus, p.shaft_poissons_ratio, p.crack_depth_ratio, p.crack_position_ratio, p.crack_angle), columns)]
     pub fn widths_support_arm(p: &RotorParameters, edge_factor: f64) -> (f64, f64) {
-        widths(p, &support_arm(p), edge_factor)
+        let c = crack_compliance(p, edge_factor);
+        widths(p, &support_arm(p), &c)
     }
 
     /// Both widths in the model of [`midspan_arm()`].
     #[domain(p.disk_mass > 0.0, p.disk_diametral_inertia > 0.0, p.disk_polar_inertia > 0.0, p.disk_position_ratio > 0.0, p.shaft_length > 0.0, p.shaft_radius > 0.0, p.shaft_youngs_modulus > 0.0, p.crack_depth_ratio >= 0.0, p.crack_position_ratio > 0.0, edge_factor > 0.0)]
     #[generate(value, gradient(p.disk_mass, p.disk_diametral_inertia, p.disk_polar_inertia, p.disk_asymmetry, p.disk_position_ratio, p.shaft_length, p.shaft_radius, p.shaft_youngs_modulus, p.shaft_poissons_ratio, p.crack_depth_ratio, p.crack_position_ratio, p.crack_angle), columns)]
     pub fn widths_midspan_arm(p: &RotorParameters, edge_factor: f64) -> (f64, f64) {
-        widths(p, &midspan_arm(p), edge_factor)
+        let c = crack_compliance(p, edge_factor);
+        widths(p, &midspan_arm(p), &c)
     }
 
     /// Both widths in the model of [`simply_supported_left()`].
     #[domain(p.disk_mass > 0.0, p.disk_diametral_inertia > 0.0, p.disk_polar_inertia > 0.0, p.disk_position_ratio > 0.0, p.shaft_length > 0.0, p.shaft_radius > 0.0, p.shaft_youngs_modulus > 0.0, p.crack_depth_ratio >= 0.0, p.crack_position_ratio > 0.0, edge_factor > 0.0)]
     #[generate(value, gradient(p.disk_mass, p.disk_diametral_inertia, p.disk_polar_inertia, p.disk_asymmetry, p.disk_position_ratio, p.shaft_length, p.shaft_radius, p.shaft_youngs_modulus, p.shaft_poissons_ratio, p.crack_depth_ratio, p.crack_position_ratio, p.crack_angle), columns)]
     pub fn widths_simply_supported_left(p: &RotorParameters, edge_factor: f64) -> (f64, f64) {
-        widths(p, &simply_supported_left(p), edge_factor)
+        let c = crack_compliance(p, edge_factor);
+        widths(p, &simply_supported_left(p), &c)
     }
 
     /// Both widths in the model of [`simply_supported_right()`].
     #[domain(p.disk_mass > 0.0, p.disk_diametral_inertia > 0.0, p.disk_polar_inertia > 0.0, p.disk_position_ratio > 0.0, p.shaft_length > 0.0, p.shaft_radius > 0.0, p.shaft_youngs_modulus > 0.0, p.crack_depth_ratio >= 0.0, p.crack_position_ratio > 0.0, edge_factor > 0.0)]
     #[generate(value, gradient(p.disk_mass, p.disk_diametral_inertia, p.disk_polar_inertia, p.disk_asymmetry, p.disk_position_ratio, p.shaft_length, p.shaft_radius, p.shaft_youngs_modulus, p.shaft_poissons_ratio, p.crack_depth_ratio, p.crack_position_ratio, p.crack_angle), columns)]
     pub fn widths_simply_supported_right(p: &RotorParameters, edge_factor: f64) -> (f64, f64) {
-        widths(p, &simply_supported_right(p), edge_factor)
+        let c = crack_compliance(p, edge_factor);
+        widths(p, &simply_supported_right(p), &c)
     }
 }

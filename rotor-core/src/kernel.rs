@@ -24,7 +24,7 @@ use crate::variable::Variable;
 use chain::{Chain, Needs};
 use destination::{Columns, Destination, WithGaps};
 use list::List;
-use quantities::{AxisTables, Row};
+use quantities::{AxisTables, Row, Widths};
 use sizes::Sizes;
 
 /// The most points of a block.
@@ -65,10 +65,12 @@ pub(crate) struct Evaluated {
 pub(crate) struct Kernel<'a> {
     quantities: &'a [Quantity],
     needs: Needs,
-    as_alone: bool,
+    widths: Widths,
     variables: Vec<Variable>,
     /// Those that are inputs of the rotor.
     inputs: Vec<&'static NumericInput>,
+    /// All others, with what is plain of them.
+    fixed: Vec<(&'static NumericInput, Sizes)>,
     /// Where the coefficients are the same at all points: how they come about in a row, whatever the block.
     chain: Option<Chain>,
     /// The blocks that were entered last, and the one that it is about.
@@ -85,28 +87,44 @@ pub(crate) struct Kernel<'a> {
 }
 
 impl<'a> Kernel<'a> {
-    /// A kernel for what varies within a block.
-    ///
-    /// With `as_alone`, quantities have the digits that they have for each rotor alone, and widths take more time.
-    pub(crate) fn new(
-        variables: impl IntoIterator<Item = Variable>,
+    /// A kernel for a block of a table. Quantities have the digits that they have for each rotor alone.
+    pub(crate) fn of_table(
+        inputs: impl IntoIterator<Item = &'static NumericInput>,
         quantities: &'a [Quantity],
-        as_alone: bool,
+    ) -> Self {
+        let variables = inputs.into_iter().map(Variable::Input).collect();
+        Self::new(variables, quantities, Widths::Alone)
+    }
+
+    /// A kernel for a block along an axis that has these variables, inside of an axis with those of `next`, if there is one.
+    pub(crate) fn along(
+        variables: impl IntoIterator<Item = Variable>,
+        next: Option<impl IntoIterator<Item = Variable>>,
+        quantities: &'a [Quantity],
     ) -> Self {
         let variables: Vec<_> = variables.into_iter().collect();
-        let inputs = variables.iter().filter_map(|variable| match variable {
-            Variable::Input(input) => Some(*input),
-            Variable::Speed => None,
-        });
-        let inputs: Vec<_> = inputs.collect();
+        let set = |inputs: Vec<&NumericInput>| {
+            let names: Vec<_> = inputs.iter().map(|input| input.name).collect();
+            chain::inputs(&names)
+        };
+        let varied = set(inputs_among(&variables));
+        let next = next.map(|next| set(inputs_among(&next.into_iter().collect::<Vec<_>>())));
+        let widths = quantities::widths_along(quantities, varied, next);
+        Self::new(variables, quantities, widths)
+    }
+
+    fn new(variables: Vec<Variable>, quantities: &'a [Quantity], widths: Widths) -> Self {
+        let inputs = inputs_among(&variables);
         let names: Vec<_> = inputs.iter().map(|input| input.name).collect();
         let varies = chain::inputs(&names) & chain::inputs_of_coefficients() != 0;
+        let fixed = INPUTS.iter().filter(|input| !inputs.contains(input));
         Self {
             quantities,
-            needs: quantities::needs(quantities),
-            as_alone,
+            needs: quantities::needs(quantities, widths),
+            widths,
             variables,
             chain: (!varies).then(|| Chain::new(1, &inputs, None)),
+            fixed: fixed.map(|input| (input, Sizes::of(input))).collect(),
             inputs,
             blocks: Vec::new(),
             current: 0,
@@ -194,7 +212,7 @@ impl<'a> Kernel<'a> {
         speed: Option<f64>,
         results: &mut [&mut [f64]],
     ) -> Evaluated {
-        let (quantities, needs, as_alone) = (self.quantities, self.needs, self.as_alone);
+        let (quantities, needs, widths) = (self.quantities, self.needs, self.widths);
         let mut known = std::mem::take(&mut self.known);
         known.clear();
         let evaluated = self.row(row, speed).and_then(|(mut points, plain)| {
@@ -205,11 +223,7 @@ impl<'a> Kernel<'a> {
                 all_are_known: true,
                 has_gaps: false,
             };
-            if as_alone {
-                points.evaluate::<_, true>(quantities, &mut columns)?;
-            } else {
-                points.evaluate::<_, false>(quantities, &mut columns)?;
-            }
+            points.evaluate(quantities, widths, &mut columns)?;
             let (all, has_gaps) = (columns.all_are_known, columns.has_gaps);
             let all = points.chain.trust(needs, &mut known)? && all;
             Some((all, !has_gaps))
@@ -272,12 +286,12 @@ impl<'a> Kernel<'a> {
         if !self.all_are_plain() {
             return None;
         }
-        let (quantities, needs) = (self.quantities, self.needs);
+        let (quantities, needs, widths) = (self.quantities, self.needs, self.widths);
         let (mut points, _) = self.row(row, speed)?;
         if !points.chain.trust(needs, &mut [])? {
             return None;
         }
-        points.evaluate::<_, false>(quantities, reducer)
+        points.evaluate(quantities, widths, reducer)
     }
 
     fn length(&self) -> usize {
@@ -300,11 +314,11 @@ impl<'a> Kernel<'a> {
         let block = self.blocks.get_mut(self.current)?;
         let chain = block.chain.as_mut().or(self.chain.as_mut())?;
         chain.update(row);
-        for (list, name, number) in [
-            (&mut block.asymmetry, "disk_asymmetry", row.disk_asymmetry),
-            (&mut block.angle, "crack_angle", row.crack_angle),
+        for (list, number) in [
+            (&mut block.asymmetry, row.disk_asymmetry),
+            (&mut block.angle, row.crack_angle),
         ] {
-            if !self.inputs.iter().any(|input| input.name == name) {
+            if list.is_same() {
                 list.set(number);
             }
         }
@@ -329,8 +343,8 @@ impl<'a> Kernel<'a> {
         {
             return *is_plain;
         }
-        let mut fixed = INPUTS.iter().filter(|input| !self.inputs.contains(input));
-        let is_plain = fixed.all(|input| Sizes::of(input).contain((input.get)(row)));
+        let mut fixed = self.fixed.iter();
+        let is_plain = fixed.all(|(input, sizes)| sizes.contain((input.get)(row)));
         self.last = Some((*row, is_plain));
         is_plain
     }
@@ -381,4 +395,13 @@ impl<'a> Kernel<'a> {
         }
         true
     }
+}
+
+/// Those of the variables that are inputs of the rotor.
+fn inputs_among(variables: &[Variable]) -> Vec<&'static NumericInput> {
+    let inputs = variables.iter().filter_map(|variable| match variable {
+        Variable::Input(input) => Some(*input),
+        Variable::Speed => None,
+    });
+    inputs.collect()
 }

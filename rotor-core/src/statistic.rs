@@ -6,6 +6,8 @@ mod summary;
 
 use std::fmt;
 
+use lanes::{Pack, Simd};
+
 pub(crate) use accumulator::Accumulator;
 pub(crate) use reducer::Reducer;
 pub(crate) use summary::{Gaps, Summary, Wanted};
@@ -85,23 +87,65 @@ impl Bins {
         self.count as usize + 2
     }
 
-    /// Where a value is counted.
-    pub(crate) fn place(self, value: f64) -> usize {
-        if value < self.low {
-            0
-        } else if value > self.high {
-            self.count as usize + 1
-        } else {
-            // Rounding may lead past the last bin, whose upper end belongs to it.
-            let share = (value - self.low) / (self.high - self.low);
-            1 + ((share * f64::from(self.count)) as usize).min(self.count as usize - 1)
+    /// Where each of some numbers is counted; NaN for one that is NaN, if there may be such.
+    #[inline(always)]
+    fn places_of<S: Simd, G: Gaps>(self, value: Pack<S>) -> Pack<S> {
+        let simd = value.simd();
+        let count = f64::from(self.count);
+        let (low, high) = (Pack::splat(simd, self.low), Pack::splat(simd, self.high));
+        let share = (value - low) / (self.high - self.low);
+        // Rounding may lead past the last bin, whose upper end belongs to it.
+        let bin = (share * count).floor().min(Pack::splat(simd, count - 1.0)) + 1.0;
+        let bin = low.select_le(value, bin, Pack::splat(simd, 0.0));
+        let bin = value.select_le(high, bin, Pack::splat(simd, count + 1.0));
+        if !G::HAS_GAPS {
+            return bin;
         }
+        let infinity = Pack::splat(simd, f64::INFINITY);
+        value.select_le(infinity, bin, value)
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use lanes::{Consumer, Level, fold};
+
     use super::*;
+    use crate::extremes::Itself;
+
+    /// A column of numbers that may be NaN.
+    struct WithGaps;
+
+    impl Gaps for WithGaps {
+        const HAS_GAPS: bool = true;
+    }
+
+    /// The bins of a column.
+    struct Places(Bins);
+
+    impl Consumer<1> for Places {
+        type Lanes<S: Simd> = Vec<f64>;
+        type Output = Vec<f64>;
+
+        fn begin<S: Simd>(&self, _: S) -> Vec<f64> {
+            Vec::new()
+        }
+
+        fn take<S: Simd>(
+            &mut self,
+            places: &mut Vec<f64>,
+            _: usize,
+            rows: usize,
+            [value]: &[Pack<S>; 1],
+        ) {
+            let found = self.0.places_of::<S, WithGaps>(*value);
+            places.extend(&found.as_slice()[..rows]);
+        }
+
+        fn end<S: Simd>(&self, places: Vec<f64>) -> Vec<f64> {
+            places
+        }
+    }
 
     #[test]
     fn bins_have_their_lower_end_and_the_last_one_both() {
@@ -110,7 +154,14 @@ mod tests {
             high: 2.0,
             count: 4,
         };
-        let places = [-0.1, 0.0, 0.5, 1.5, 2.0, 2.1].map(|value| bins.place(value));
-        assert_eq!(places, [0, 1, 2, 4, 4, 5]);
+        let values = [-0.1, 0.0, 0.5, f64::NAN, 1.5, 2.0, 2.1, 1e300, -1e300];
+        for level in Level::available() {
+            let places = &mut Places(bins);
+            let found = fold::<Itself, _, 0, 1, 1>(level, &[], [&values], places).unwrap();
+            assert!(found[3].is_nan());
+            let numbers = found.into_iter().filter(|place| !place.is_nan());
+            let numbers: Vec<_> = numbers.collect();
+            assert_eq!(numbers, [0.0, 1.0, 2.0, 4.0, 4.0, 5.0, 5.0, 0.0], "{level}");
+        }
     }
 }

@@ -82,8 +82,7 @@ pub fn evaluate(
         return Err(TableError::NoSpeed { quantity });
     }
     let mut results = vec![vec![f64::NAN; length]; quantities.len()];
-    let inputs = columns.iter().map(|column| column.input.into());
-    let mut kernel = Kernel::new(inputs, quantities, true);
+    let mut kernel = Kernel::of_table(columns.iter().map(|column| column.input), quantities);
     for from in (0..length).step_by(POINTS_PER_BLOCK) {
         let to = length.min(from + POINTS_PER_BLOCK);
         kernel.enter(from as u64, to - from, |number, values| {

@@ -6,14 +6,15 @@
 
 use lanes::{ALL, Level, store};
 
-use crate::equations::both_widths::along_beta_and_gamma_and_delta_and_epsilon_1_and_epsilon_12_and_epsilon_2 as widths;
+use crate::equations::both_widths::along_beta_and_gamma_and_delta_and_epsilon_1_and_epsilon_12_and_epsilon_2 as regions;
+use crate::equations::widths::along_c11_and_c22_and_c33_and_c44 as crack;
 use crate::equations::{
-    coefficients, crack_compliance, midspan_arm, simply_supported_left, simply_supported_right,
-    stiffness, support_arm,
+    CrackCompliance, SectionLoads, Stiffness, coefficients, crack_compliance, midspan_arm,
+    simply_supported_left, simply_supported_right, stiffness, support_arm,
 };
-use crate::rotor::{CrackModel, INPUTS, NumericInput, RotorParameters};
+use crate::rotor::{CrackModel, INPUTS, LoadCase, NumericInput, RotorParameters};
 
-use super::list::{FINITE, List, NONZERO, SIZES, Test, columns, written};
+use super::list::{FINITE, List, NONZERO, SIZES, Test, columns, set, written};
 
 /// A set of inputs, bit 0 for the first of [`INPUTS`].
 pub(super) type Inputs = u16;
@@ -42,6 +43,11 @@ pub(super) fn inputs(names: &[&str]) -> Inputs {
     places.fold(0, |set, place| set | 1 << place)
 }
 
+/// The inputs that change the crack's compliance and nothing else.
+pub(super) fn inputs_of_compliance_alone() -> Inputs {
+    inputs(&["shaft_poissons_ratio", "crack_depth_ratio"])
+}
+
 /// The inputs that the coefficients depend on, but for the two that are coefficients themselves.
 pub(super) fn inputs_of_coefficients() -> Inputs {
     Stage::Coefficients.inputs()
@@ -53,19 +59,21 @@ enum Stage {
     Loads,
     Compliance,
     Inertia,
+    Crack,
     Stiffness,
     Coefficients,
-    Widths,
+    Regions,
 }
 
 impl Stage {
-    const ALL: [Self; 6] = [
+    const ALL: [Self; 7] = [
         Self::Loads,
         Self::Compliance,
         Self::Inertia,
+        Self::Crack,
         Self::Stiffness,
         Self::Coefficients,
-        Self::Widths,
+        Self::Regions,
     ];
 
     /// The inputs that it depends on.
@@ -73,10 +81,10 @@ impl Stage {
         let of_stiffness = inputs(&PLACES) | inputs(&CRACK);
         match self {
             Self::Loads => inputs(&PLACES),
-            Self::Compliance => inputs(&CRACK),
+            Self::Compliance | Self::Crack => inputs(&CRACK),
             Self::Inertia => inputs(&INERTIA),
             Self::Stiffness => of_stiffness,
-            Self::Coefficients | Self::Widths => of_stiffness | inputs(&INERTIA),
+            Self::Coefficients | Self::Regions => of_stiffness | inputs(&INERTIA),
         }
     }
 }
@@ -122,8 +130,9 @@ pub(super) struct Chain {
     stiffness: [List; 6],
     /// In the order of [`Coefficients`](crate::equations::Coefficients).
     coefficients: [List; 8],
-    /// Of both widths.
-    widths: [List; widths::TABLES],
+    /// What both widths take from the compliance, and what from the coefficients.
+    crack: [List; crack::TABLES],
+    regions: [List; regions::TABLES],
     trust: [Trust; 3],
 }
 
@@ -151,7 +160,8 @@ impl Chain {
             compliance: Default::default(),
             stiffness: Default::default(),
             coefficients: Default::default(),
-            widths: Default::default(),
+            crack: Default::default(),
+            regions: Default::default(),
             trust: Default::default(),
         }
     }
@@ -190,15 +200,21 @@ impl Chain {
         self.is_same(Stage::Coefficients)
     }
 
-    /// Does what is to be done for a stage, if it is to be done anew, for the points or the one that stands for all.
+    /// Does what is to be done for a stage, if it is to be done anew: for the rotor of a row where all points have the same
+    /// numbers, for so many points otherwise.
     fn renew(
         &mut self,
         stage: Stage,
-        compute: impl FnOnce(&mut Self, usize, bool) -> Option<()>,
+        alone: impl FnOnce(&mut Self, &RotorParameters),
+        along: impl FnOnce(&mut Self, usize) -> Option<()>,
     ) -> Option<()> {
         if self.stale[stage as usize] {
-            let is_same = self.is_same(stage);
-            compute(self, if is_same { 1 } else { self.rows }, is_same)?;
+            if self.is_same(stage) {
+                let row = self.row?;
+                alone(self, &row);
+            } else {
+                along(self, self.rows)?;
+            }
             self.stale[stage as usize] = false;
         }
         Some(())
@@ -206,7 +222,11 @@ impl Chain {
 
     /// The compliance of the crack.
     pub(super) fn compliance(&mut self) -> Option<&mut [List; 4]> {
-        self.renew(Stage::Compliance, |chain, rows, is_same| {
+        let alone = |chain: &mut Self, row: &RotorParameters| {
+            let c = crack_compliance::value(row, row.crack_edge.factor());
+            set(&mut chain.compliance, [c.c11, c.c22, c.c33, c.c44]);
+        };
+        self.renew(Stage::Compliance, alone, |chain, rows| {
             let [_, _, _, _, _, _, inputs @ .., _, _] = &mut chain.inputs;
             let [radius, modulus, poisson, depth] = columns(inputs, rows);
             let inputs = crack_compliance::Columns {
@@ -216,21 +236,30 @@ impl Chain {
                 p_crack_depth_ratio: depth,
                 edge_factor: chain.edge_factor.spread(rows),
             };
-            let results = written(&mut chain.compliance, rows, is_same);
-            crack_compliance::columns(&inputs, results).ok()
+            crack_compliance::columns(&inputs, written(&mut chain.compliance, rows)).ok()
         })?;
         Some(&mut self.compliance)
     }
 
     /// The loads at the crack's section.
     fn loads(&mut self) -> Option<()> {
-        self.renew(Stage::Loads, |chain, rows, is_same| {
+        let alone = |chain: &mut Self, row: &RotorParameters| {
+            let s = LoadCase::of(row).loads(row);
+            let numbers = [
+                s.moment_of_force,
+                s.shear_of_force,
+                s.moment_of_couple,
+                s.shear_of_couple,
+            ];
+            set(&mut chain.loads, numbers);
+        };
+        self.renew(Stage::Loads, alone, |chain, rows| {
             let [_, _, _, _, disk, length, _, _, _, _, crack, _] = &mut chain.inputs;
             let [disk, length, crack] = [disk, length, crack].map(|list| list.spread(rows));
             // Each formula takes the inputs that it has.
             macro_rules! loads {
                 ($formula:ident, $lists:expr $(, $field:ident: $list:ident)*) => {
-                    $formula::columns(&$formula::Columns { $($field: $list),* }, written($lists, rows, is_same))
+                    $formula::columns(&$formula::Columns { $($field: $list),* }, written($lists, rows))
                         .ok()?
                 };
             }
@@ -265,7 +294,21 @@ impl Chain {
     fn stiffness(&mut self) -> Option<()> {
         self.compliance()?;
         self.loads()?;
-        self.renew(Stage::Stiffness, |chain, rows, is_same| {
+        let alone = |chain: &mut Self, row: &RotorParameters| {
+            let (loads, compliance) = chain.crack_of_all();
+            let k = stiffness::value(row, &loads, &compliance);
+            let numbers = [
+                k.k_tt,
+                k.k_tm,
+                k.k_mm,
+                k.delta_k_tt,
+                k.delta_k_tm,
+                k.delta_k_mm,
+            ];
+            set(&mut chain.stiffness, numbers);
+            chain.check_stiffness(1);
+        };
+        self.renew(Stage::Stiffness, alone, |chain, rows| {
             let [_, _, _, _, inputs @ .., _, _, _, _] = &mut chain.inputs;
             let [disk, length, radius, modulus] = columns(inputs, rows);
             let [
@@ -289,24 +332,71 @@ impl Chain {
                 c_c33: c33,
                 c_c44: c44,
             };
-            stiffness::columns(&inputs, written(&mut chain.stiffness, rows, is_same)).ok()?;
-            let [_, trust, _] = &mut chain.trust;
-            trust.renew(rows);
-            let [k_tt, k_tm, k_mm, delta_k_tt, delta_k_tm, delta_k_mm] = &chain.stiffness;
-            for list in [k_tt, k_mm] {
-                trust.require(list, &SIZES);
-            }
-            for list in [k_tm, delta_k_tt, delta_k_tm, delta_k_mm] {
-                trust.require(list, &FINITE);
-            }
+            stiffness::columns(&inputs, written(&mut chain.stiffness, rows)).ok()?;
+            chain.check_stiffness(rows);
             Some(())
         })
+    }
+
+    /// The loads and the compliance, where they are the same at all points.
+    fn crack_of_all(&self) -> (SectionLoads, CrackCompliance) {
+        let [
+            moment_of_force,
+            shear_of_force,
+            moment_of_couple,
+            shear_of_couple,
+        ] = self.loads.each_ref().map(List::number);
+        let [c11, c22, c33, c44] = self.compliance.each_ref().map(List::number);
+        let loads = SectionLoads {
+            moment_of_force,
+            shear_of_force,
+            moment_of_couple,
+            shear_of_couple,
+        };
+        (loads, CrackCompliance { c11, c22, c33, c44 })
+    }
+
+    fn check_stiffness(&mut self, rows: usize) {
+        let [_, trust, _] = &mut self.trust;
+        trust.renew(rows);
+        let [k_tt, k_tm, k_mm, delta_k_tt, delta_k_tm, delta_k_mm] = &self.stiffness;
+        for list in [k_tt, k_mm] {
+            trust.require(list, &SIZES);
+        }
+        for list in [k_tm, delta_k_tt, delta_k_tm, delta_k_mm] {
+            trust.require(list, &FINITE);
+        }
     }
 
     /// The coefficients; the asymmetry and the angle among them may be those of an earlier row.
     pub(super) fn coefficients(&mut self) -> Option<&mut [List; 8]> {
         self.stiffness()?;
-        self.renew(Stage::Coefficients, |chain, rows, is_same| {
+        let alone = |chain: &mut Self, row: &RotorParameters| {
+            let [k_tt, k_tm, k_mm, delta_k_tt, delta_k_tm, delta_k_mm] =
+                chain.stiffness.each_ref().map(List::number);
+            let k = Stiffness {
+                k_tt,
+                k_tm,
+                k_mm,
+                delta_k_tt,
+                delta_k_tm,
+                delta_k_mm,
+            };
+            let c = coefficients::value(row, &k);
+            let numbers = [
+                c.beta,
+                c.gamma,
+                c.delta,
+                c.epsilon_1,
+                c.epsilon_12,
+                c.epsilon_2,
+                c.disk_asymmetry,
+                c.crack_angle,
+            ];
+            set(&mut chain.coefficients, numbers);
+            chain.check_coefficients(1);
+        };
+        self.renew(Stage::Coefficients, alone, |chain, rows| {
             let [inputs @ .., _, _, _, _, _, _, _, angle] = &mut chain.inputs;
             let [mass, diametral, polar, asymmetry] = columns(inputs, rows);
             let [k_tt, k_tm, k_mm, delta_k_tt, delta_k_tm, delta_k_mm] =
@@ -324,37 +414,56 @@ impl Chain {
                 k_delta_k_tm: delta_k_tm,
                 k_delta_k_mm: delta_k_mm,
             };
-            coefficients::columns(&inputs, written(&mut chain.coefficients, rows, is_same)).ok()?;
-            let [.., trust] = &mut chain.trust;
-            trust.renew(rows);
-            let [_, gamma, delta, epsilons @ .., _, _] = &chain.coefficients;
-            // Without coupling some are limits.
-            trust.require(gamma, &NONZERO);
-            trust.require(delta, &SIZES);
-            for list in epsilons {
-                trust.require(list, &FINITE);
-            }
+            coefficients::columns(&inputs, written(&mut chain.coefficients, rows)).ok()?;
+            chain.check_coefficients(rows);
             Some(())
         })?;
         Some(&mut self.coefficients)
     }
 
-    /// What both widths take from the coefficients at each point, but for the asymmetry and the angle.
-    pub(super) fn widths(&mut self) -> Option<&mut [List; widths::TABLES]> {
+    fn check_coefficients(&mut self, rows: usize) {
+        let [.., trust] = &mut self.trust;
+        trust.renew(rows);
+        let [_, gamma, delta, epsilons @ .., _, _] = &self.coefficients;
+        // Without coupling some are limits.
+        trust.require(gamma, &NONZERO);
+        trust.require(delta, &SIZES);
+        for list in epsilons {
+            trust.require(list, &FINITE);
+        }
+    }
+
+    /// What both widths take from the compliance at each point, and from all other inputs, where the compliance alone varies.
+    pub(super) fn crack(&mut self) -> Option<([f64; crack::FIXED], &mut [List; crack::TABLES])> {
+        self.compliance()?;
+        self.loads()?;
+        self.renew(Stage::Crack, not_along, |chain, rows| {
+            let inner = columns(&mut chain.compliance, rows);
+            let tables = written(&mut chain.crack, rows);
+            store::<crack::Along, ALL, 0, 4, { crack::TABLES }>(Level::best(), &[], inner, tables)
+                .ok()
+        })?;
+        let (loads, compliance) = self.crack_of_all();
+        let fixed = crack::fixed(self.row.as_ref()?, &loads, &compliance);
+        Some((fixed, &mut self.crack))
+    }
+
+    /// What both widths take from the coefficients at each point, where these vary, but for the asymmetry and the angle.
+    pub(super) fn regions(&mut self) -> Option<&mut [List; regions::TABLES]> {
         self.coefficients()?;
-        self.renew(Stage::Widths, |chain, rows, is_same| {
+        self.renew(Stage::Regions, not_along, |chain, rows| {
             let [coefficients @ .., _, _] = &mut chain.coefficients;
-            let coefficients = columns(coefficients, rows);
-            let results = written(&mut chain.widths, rows, is_same);
-            store::<widths::Along, ALL, 0, 6, { widths::TABLES }>(
+            let inner = columns(coefficients, rows);
+            let tables = written(&mut chain.regions, rows);
+            store::<regions::Along, ALL, 0, 6, { regions::TABLES }>(
                 Level::best(),
                 &[],
-                coefficients,
-                results,
+                inner,
+                tables,
             )
             .ok()
         })?;
-        Some(&mut self.widths)
+        Some(&mut self.regions)
     }
 
     /// The disk's mass and the shaft's stiffness there.
@@ -397,7 +506,7 @@ impl Chain {
     }
 
     fn trust_inertia(&mut self, combination: bool) -> Option<()> {
-        self.renew(Stage::Inertia, |chain, rows, _| {
+        let check = |chain: &mut Self, rows| {
             let [_, diametral, polar, ..] = &mut chain.inputs;
             let [trust, ..] = &mut chain.trust;
             trust.renew(rows);
@@ -407,10 +516,17 @@ impl Chain {
                 *point = polar < &most || !combination && polar == &most;
                 trust.all &= *point;
             }
+        };
+        let along = |chain: &mut Self, rows| {
+            check(chain, rows);
             Some(())
-        })
+        };
+        self.renew(Stage::Inertia, |chain, _| check(chain, 1), along)
     }
 }
+
+/// What is asked of a stage that there is only along an axis.
+fn not_along(_: &mut Chain, _: &RotorParameters) {}
 
 /// What quantities need of the chain.
 #[derive(Clone, Copy, Debug, Default)]

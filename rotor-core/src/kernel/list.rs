@@ -98,15 +98,20 @@ pub(super) fn columns<const COUNT: usize>(
     lists.each_mut().map(|list| list.spread(rows))
 }
 
-/// The lists for a kernel to write to: so many numbers, or one that all points have.
+/// A number for all points in each list.
+pub(super) fn set<const COUNT: usize>(lists: &mut [List; COUNT], numbers: [f64; COUNT]) {
+    for (list, number) in lists.iter_mut().zip(numbers) {
+        list.set(number);
+    }
+}
+
+/// The lists for a kernel to write to.
 pub(super) fn written<const COUNT: usize>(
     lists: &mut [List; COUNT],
     rows: usize,
-    is_same: bool,
 ) -> [&mut [f64]; COUNT] {
-    let rows = if is_same { 1 } else { rows };
     lists.each_mut().map(|list| {
-        list.is_same = is_same;
+        list.is_same = false;
         list.values.resize(rows, f64::NAN);
         list.values.as_mut_slice()
     })

@@ -4,18 +4,19 @@ use lanes::{ALL, Kernel, Level, store};
 
 use crate::equations::{
     Coefficients, both_widths, both_widths_squared, cir_start, cir_width, cir_zup_asymmetry,
-    reference_speed, sir_start, sir_width, sir_zup_asymmetry,
+    reference_speed, sir_start, sir_width, sir_zup_asymmetry, widths,
 };
 use crate::extremes::Itself;
 use crate::quantity::Quantity;
 
-use super::chain::{Chain, Needs};
+use super::chain::{self, Chain, Inputs, Needs};
 use super::destination::{Destination, Finite, Kind, Positive, WithGaps};
 use super::iteration::{Combination, Ends, GrowthRate, Region, Simple};
 use super::list::{List, columns};
 
 use both_widths::along_beta_and_gamma_and_delta_and_epsilon_1_and_epsilon_12_and_epsilon_2 as along_coefficients;
 use both_widths::{along_crack_angle, along_disk_asymmetry};
+use widths::along_c11_and_c22_and_c33_and_c44 as along_compliance;
 
 /// The columns of all coefficients as an equation takes them.
 macro_rules! slices {
@@ -33,25 +34,43 @@ macro_rules! slices {
     }};
 }
 
-/// What quantities need of the chain.
-pub(super) fn needs(quantities: &[Quantity]) -> Needs {
+/// What quantities need of the chain, if widths are computed so.
+pub(super) fn needs(quantities: &[Quantity], widths: Widths) -> Needs {
     let mut needs = Needs::default();
     for quantity in quantities {
         match quantity {
             Quantity::C11 | Quantity::C22 | Quantity::C33 | Quantity::C44 => {}
             Quantity::ReferenceSpeed => needs.stiffness = true,
-            Quantity::CirStart
-            | Quantity::CirWidth
-            | Quantity::CirZupAsymmetry
-            | Quantity::CirExactLower
-            | Quantity::CirExactUpper => {
-                (needs.stiffness, needs.coefficients) = (true, true);
-                needs.combination = true;
-            }
+            Quantity::SirWidth | Quantity::CirWidth if widths == Widths::FromCompliance => {}
             _ => (needs.stiffness, needs.coefficients) = (true, true),
         }
+        needs.combination |= matches!(
+            quantity,
+            Quantity::CirStart
+                | Quantity::CirWidth
+                | Quantity::CirZupAsymmetry
+                | Quantity::CirExactLower
+                | Quantity::CirExactUpper
+        );
     }
     needs
+}
+
+/// How the widths among quantities are best computed where these inputs vary within a block, and from one row to the next
+/// those of the next axis, if there is one.
+pub(super) fn widths_along(
+    quantities: &[Quantity],
+    varied: Inputs,
+    next: Option<Inputs>,
+) -> Widths {
+    let is_width = |quantity| matches!(quantity, &Quantity::SirWidth | &Quantity::CirWidth);
+    let of_compliance = varied != 0 && varied & !chain::inputs_of_compliance_alone() == 0;
+    let others = next.is_none_or(|next| next & chain::inputs_of_coefficients() != 0);
+    if of_compliance && others && quantities.iter().all(is_width) {
+        Widths::FromCompliance
+    } else {
+        Widths::FromCoefficients
+    }
 }
 
 /// What both widths have of each of these angles or asymmetries, whatever the coefficients: their tables along the only
@@ -89,6 +108,17 @@ where
     Some(tables)
 }
 
+/// How widths are computed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Widths {
+    /// By an equation for each, with the digits that a rotor has alone.
+    Alone,
+    /// From the coefficients, in stages that both share; the next row may well have the same coefficients.
+    FromCoefficients,
+    /// From the crack's compliance, which alone varies, in one loop; the next row has other coefficients.
+    FromCompliance,
+}
+
 /// A block of a row: what its points have.
 pub(super) struct Row<'a> {
     pub(super) chain: &'a mut Chain,
@@ -102,18 +132,18 @@ pub(super) struct Row<'a> {
 }
 
 impl Row<'_> {
-    /// Evaluates these quantities: widths in stages that they share or, `ALONE`, by an equation for each, with the digits
-    /// that a rotor has alone. None where that cannot be done.
-    pub(super) fn evaluate<D: Destination, const ALONE: bool>(
+    /// Evaluates these quantities. None where that cannot be done.
+    pub(super) fn evaluate<D: Destination>(
         &mut self,
         quantities: &[Quantity],
+        widths: Widths,
         to: &mut D,
     ) -> Option<()> {
         for places in pairs(quantities, [Quantity::SirWidth, Quantity::CirWidth]) {
-            if ALONE {
-                self.widths_alone(places, to)?;
-            } else {
-                self.widths(places, to)?;
+            match widths {
+                Widths::Alone => self.widths_alone(places, to)?,
+                Widths::FromCoefficients => self.widths_from_coefficients(places, to)?,
+                Widths::FromCompliance => self.widths_from_compliance(places, to)?,
             }
         }
         for places in pairs(
@@ -228,7 +258,11 @@ impl Row<'_> {
         ])
     }
 
-    fn widths<D: Destination>(&mut self, places: [Option<usize>; 2], to: &mut D) -> Option<()> {
+    fn widths_from_coefficients<D: Destination>(
+        &mut self,
+        places: [Option<usize>; 2],
+        to: &mut D,
+    ) -> Option<()> {
         let first = self.first()?;
         if self.chain.coefficients_are_same() {
             match self.tables {
@@ -262,7 +296,7 @@ impl Row<'_> {
             }
         } else if self.asymmetry.is_same() && self.angle.is_same() {
             use along_coefficients::{FIXED, Points, TABLES, fixed};
-            let tables = columns(self.chain.widths()?, self.any.len());
+            let tables = columns(self.chain.regions()?, self.any.len());
             return to.pair::<Points, Positive, FIXED, TABLES>(places, &fixed(&first), tables);
         }
         let any = self.any;
@@ -273,6 +307,17 @@ impl Row<'_> {
             any,
             to,
         )
+    }
+
+    fn widths_from_compliance<D: Destination>(
+        &mut self,
+        places: [Option<usize>; 2],
+        to: &mut D,
+    ) -> Option<()> {
+        use along_compliance::{FIXED, Points, TABLES};
+        let rows = self.any.len();
+        let (fixed, lists) = self.chain.crack()?;
+        to.pair::<Points, Positive, FIXED, TABLES>(places, &fixed, columns(lists, rows))
     }
 
     fn widths_alone<D: Destination>(

@@ -166,8 +166,13 @@ impl<'a> Kernels<'a> {
             .ok()
             .and_then(|mut waiting| waiting.pop());
         waiting.or_else(|| {
-            let (_, inner) = self.plan.space.outer_and_inner()?;
-            Some(Kernel::new(inner.variables(), &self.plan.quantities, false))
+            let (outer, inner) = self.plan.space.outer_and_inner()?;
+            let next = outer.last().map(Axis::variables);
+            Some(Kernel::along(
+                inner.variables(),
+                next,
+                &self.plan.quantities,
+            ))
         })
     }
 

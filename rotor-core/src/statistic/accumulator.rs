@@ -89,11 +89,7 @@ impl Accumulator {
             Statistic::Histogram { low, high, bins } => {
                 let count = bins;
                 let bins = Bins { low, high, count };
-                let place = |value: f64| match value.is_nan() {
-                    true => value,
-                    false => bins.place(value) as f64,
-                };
-                value.map(place).store(numbers);
+                bins.places_of::<S, G>(value).store(numbers);
             }
         }
     }

@@ -175,7 +175,7 @@ impl<G: Gaps, const SINGLY: bool, const RESULTS: usize> Consumer<RESULTS>
         if SINGLY {
             for place in 0..RESULTS {
                 if self.has_tallies {
-                    self.tallies[place].count(self.wanted, &results[place].as_slice()[..rows]);
+                    self.tallies[place].take::<S, G>(self.wanted, rows, results[place]);
                 }
                 for accumulator in &mut self.accumulators[place] {
                     accumulator.take::<S, G>(first, self.first + first as f64, results[place]);

@@ -1,6 +1,6 @@
 //! What is asked of a column as a whole, and how it is taken from packs of its numbers.
 
-use lanes::{Pack, Simd};
+use lanes::{LONGEST, Pack, Simd};
 
 use crate::extremes::{Extremes, Span};
 
@@ -134,30 +134,45 @@ pub(super) struct Lanes<S: Simd, const COLUMNS: usize> {
 /// What is counted one by one, of a column: numbers above further thresholds, and in bins.
 #[derive(Clone, Debug)]
 pub(super) struct Tally {
-    above: Vec<u64>,
+    above: Vec<[f64; LONGEST]>,
     counts: Vec<Vec<u64>>,
 }
 
+#[allow(
+    clippy::needless_range_loop,
+    reason = "adapters of iterators are not always inlined into these loops"
+)]
 impl Tally {
     pub(super) fn of(wanted: &Wanted) -> Self {
         let (_, further) = wanted.thresholds();
         let empty = |bins: &Bins| vec![0; bins.places()];
         Self {
-            above: vec![0; further.len()],
+            above: vec![[0.0; LONGEST]; further.len()],
             counts: wanted.bins.iter().map(empty).collect(),
         }
     }
 
-    /// Takes numbers, of which those that are NaN take no part.
-    #[inline(never)]
-    pub(super) fn count(&mut self, wanted: &Wanted, values: &[f64]) {
-        let (_, further) = wanted.thresholds();
-        for (threshold, count) in further.iter().zip(&mut self.above) {
-            *count += values.iter().filter(|value| *value > threshold).count() as u64;
+    /// Takes `rows` rows of the column. What is NaN takes no part, if there may be such.
+    #[inline(always)]
+    pub(super) fn take<S: Simd, G: Gaps>(&mut self, wanted: &Wanted, rows: usize, value: Pack<S>) {
+        let counted = only(
+            rows,
+            without_gaps::<S, G>(value, f64::NEG_INFINITY),
+            f64::NEG_INFINITY,
+        );
+        for number in 0..self.above.len() {
+            let count = &mut self.above[number][..Pack::<S>::LENGTH];
+            let threshold = wanted.thresholds[IN_PACKS + number];
+            (Pack::load(value.simd(), count) + above(counted, threshold)).store(count);
         }
-        for (bins, counts) in wanted.bins.iter().zip(&mut self.counts) {
-            for value in values.iter().filter(|value| !value.is_nan()) {
-                counts[bins.place(*value)] += 1;
+        for number in 0..self.counts.len() {
+            let counts = &mut self.counts[number];
+            let places = wanted.bins[number].places_of::<S, G>(value);
+            for row in 0..rows {
+                let place = places.as_slice()[row];
+                if !(G::HAS_GAPS && place.is_nan()) {
+                    counts[place as usize] += 1;
+                }
             }
         }
     }
@@ -255,7 +270,8 @@ impl Found {
     pub(super) fn with(self, tally: Tally, wanted: &Wanted, present: Option<u64>) -> Summary {
         let (in_packs, _) = wanted.thresholds();
         let mut above = self.above[..in_packs.len()].to_vec();
-        above.extend(tally.above);
+        let total = |counts: &[f64; LONGEST]| counts.iter().sum::<f64>() as u64;
+        above.extend(tally.above.iter().map(total));
         Summary {
             extremes: self.extremes,
             present: present.unwrap_or(self.present),
