@@ -22,7 +22,7 @@ use crate::statistic::Reducer;
 use crate::variable::Variable;
 
 use chain::{Chain, Needs};
-use destination::{Columns, Destination, WithGaps};
+use destination::{Columns, Destination, Partial};
 use list::List;
 use quantities::{AxisTables, Row, Widths};
 use sizes::Sizes;
@@ -223,7 +223,11 @@ impl<'a> Kernel<'a> {
                 all_are_known: true,
                 has_gaps: false,
             };
-            points.evaluate(quantities, widths, &mut columns)?;
+            if widths == Widths::Alone {
+                points.evaluate_alone(quantities, &mut columns)?;
+            } else {
+                points.evaluate(quantities, widths, &mut columns)?;
+            }
             let (all, has_gaps) = (columns.all_are_known, columns.has_gaps);
             let all = points.chain.trust(needs, &mut known)? && all;
             Some((all, !has_gaps))
@@ -269,7 +273,7 @@ impl<'a> Kernel<'a> {
         let mut results: Vec<_> = columns.iter_mut().map(Vec::as_mut_slice).collect();
         let evaluated = self.evaluate(row, speed, &mut results);
         for (place, column) in columns.iter().enumerate() {
-            let reduced = reducer.single::<Itself, WithGaps, 0, 1>(place, &[], [column]);
+            let reduced = reducer.single::<Itself, Partial, 0, 1>(place, &[], [column]);
             debug_assert!(reduced.is_some(), "a column has the length of itself");
         }
         self.columns = columns;

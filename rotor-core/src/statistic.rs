@@ -10,7 +10,7 @@ use lanes::{Pack, Simd};
 
 pub(crate) use accumulator::Accumulator;
 pub(crate) use reducer::Reducer;
-pub(crate) use summary::{Gaps, Summary, Wanted};
+pub(crate) use summary::{Gaps, Summary, Wanted, WithGaps, WithoutGaps};
 
 /// What is kept of the values of a quantity. Points where it does not exist take no part.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -112,13 +112,6 @@ mod tests {
 
     use super::*;
     use crate::extremes::Itself;
-
-    /// A column of numbers that may be NaN.
-    struct WithGaps;
-
-    impl Gaps for WithGaps {
-        const HAS_GAPS: bool = true;
-    }
 
     /// The bins of a column.
     struct Places(Bins);

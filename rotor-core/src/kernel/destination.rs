@@ -3,12 +3,14 @@
 use lanes::{ALL, Kernel, Level, Pack, Simd, store};
 
 use crate::extremes::Extremes;
-use crate::statistic::{Gaps, Reducer};
+use crate::statistic::{Gaps, Reducer, WithGaps, WithoutGaps};
 
 use super::list::{FINITE, SIZES, Test, require};
 
 /// What the numbers of a quantity are.
-pub(super) trait Kind: Gaps {
+pub(super) trait Kind {
+    /// Whether they may be NaN, where the quantity does not exist.
+    type Gaps: Gaps;
     /// What they have to be: where one is not, the quantity may not exist.
     const TEST: Option<&'static Test> = None;
     /// Whether a zero may be among them, which has no sign.
@@ -19,6 +21,7 @@ pub(super) trait Kind: Gaps {
 pub(super) struct Positive;
 
 impl Kind for Positive {
+    type Gaps = WithoutGaps;
     const TEST: Option<&'static Test> = Some(&SIZES);
     const HAS_ZEROS: bool = false;
 }
@@ -27,24 +30,15 @@ impl Kind for Positive {
 pub(super) struct Finite;
 
 impl Kind for Finite {
+    type Gaps = WithoutGaps;
     const TEST: Option<&'static Test> = Some(&FINITE);
 }
 
-/// They are finite, or NaN where the quantity does not exist.
-pub(super) struct WithGaps;
+/// They are finite where the quantity exists, and NaN elsewhere.
+pub(super) struct Partial;
 
-impl Kind for WithGaps {}
-
-impl Gaps for Positive {
-    const HAS_GAPS: bool = false;
-}
-
-impl Gaps for Finite {
-    const HAS_GAPS: bool = false;
-}
-
-impl Gaps for WithGaps {
-    const HAS_GAPS: bool = true;
+impl Kind for Partial {
+    type Gaps = WithGaps;
 }
 
 /// Takes what kernels give along columns of a block. None where that cannot be done.
@@ -113,7 +107,7 @@ impl Columns<'_, '_> {
         if let Some(test) = T::TEST {
             self.all_are_known &= require(values, self.known, test);
         }
-        self.has_gaps |= T::HAS_GAPS;
+        self.has_gaps |= T::Gaps::HAS_GAPS;
         if T::HAS_ZEROS {
             // A zero has no sign.
             values.iter_mut().for_each(|value| *value += 0.0);
@@ -208,7 +202,7 @@ impl Destination for Reducer {
     {
         let places = [Some(place)];
         checked::<T, 1>(
-            self.take::<K, T, FIXED, ALONG, 1>(places, fixed, along)?,
+            self.take::<K, T::Gaps, FIXED, ALONG, 1>(places, fixed, along)?,
             places,
         )
     }
@@ -224,7 +218,7 @@ impl Destination for Reducer {
         T: Kind,
     {
         checked::<T, 2>(
-            self.take::<K, T, FIXED, ALONG, 2>(places, fixed, along)?,
+            self.take::<K, T::Gaps, FIXED, ALONG, 2>(places, fixed, along)?,
             places,
         )
     }

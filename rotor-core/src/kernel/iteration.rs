@@ -1,44 +1,44 @@
 //! Quantities that are found by iteration, as kernels: row by row within a pack, NaN where there is none.
 
-use std::marker::PhantomData;
-
 use lanes::{Kernel, LONGEST, Pack, Simd};
 
 use crate::equations::Coefficients;
 use crate::region::{self, RegionKind};
 use crate::stability;
 
-/// A region, as a type.
-pub(super) trait Region {
-    const KIND: RegionKind;
-}
+/// The exact ends of a region, the lower and the upper, from its number and the coefficients.
+pub(super) struct Ends;
 
-/// The simple region.
-pub(super) struct Simple;
-
-impl Region for Simple {
-    const KIND: RegionKind = RegionKind::Simple;
-}
-
-/// The combination region.
-pub(super) struct Combination;
-
-impl Region for Combination {
-    const KIND: RegionKind = RegionKind::Combination;
-}
-
-/// The exact ends of a region, the lower and the upper, from the coefficients.
-pub(super) struct Ends<R>(PhantomData<R>);
-
-impl<R: Region> Kernel<0, 8, 2> for Ends<R> {
+impl Kernel<1, 8, 2> for Ends {
     #[inline(always)]
-    fn evaluate<S: Simd>(simd: S, _: [Pack<S>; 0], along: [Pack<S>; 8]) -> [Pack<S>; 2] {
-        by_rows(simd, along, ends::<R>)
+    fn evaluate<S: Simd>(simd: S, [region]: [Pack<S>; 1], along: [Pack<S>; 8]) -> [Pack<S>; 2] {
+        let [
+            beta,
+            gamma,
+            delta,
+            epsilon_1,
+            epsilon_12,
+            epsilon_2,
+            asymmetry,
+            angle,
+        ] = along;
+        let along = [
+            region, beta, gamma, delta, epsilon_1, epsilon_12, epsilon_2, asymmetry, angle,
+        ];
+        by_rows(simd, along, ends)
     }
 }
 
-fn ends<R: Region>(numbers: &[f64; 8]) -> [f64; 2] {
-    let found = region::exact_ends(R::KIND, &coefficients(numbers));
+/// The number of a region, for [`Ends`].
+pub(super) fn number_of(region: RegionKind) -> f64 {
+    let place = RegionKind::ALL.iter().position(|kind| *kind == region);
+    place.map_or(f64::NAN, |place| place as f64)
+}
+
+fn ends([region, numbers @ ..]: &[f64; 9]) -> [f64; 2] {
+    let found = RegionKind::ALL
+        .get(*region as usize)
+        .and_then(|kind| region::exact_ends(*kind, &coefficients(numbers)).ok());
     found.map_or([f64::NAN; 2], |ends| [ends.lower, ends.upper])
 }
 

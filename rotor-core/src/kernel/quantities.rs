@@ -8,10 +8,11 @@ use crate::equations::{
 };
 use crate::extremes::Itself;
 use crate::quantity::Quantity;
+use crate::region::RegionKind;
 
 use super::chain::{self, Chain, Inputs, Needs};
-use super::destination::{Destination, Finite, Kind, Positive, WithGaps};
-use super::iteration::{Combination, Ends, GrowthRate, Region, Simple};
+use super::destination::{Columns, Destination, Finite, Kind, Partial, Positive};
+use super::iteration::{Ends, GrowthRate, number_of};
 use super::list::{List, columns};
 
 use both_widths::along_beta_and_gamma_and_delta_and_epsilon_1_and_epsilon_12_and_epsilon_2 as along_coefficients;
@@ -132,7 +133,7 @@ pub(super) struct Row<'a> {
 }
 
 impl Row<'_> {
-    /// Evaluates these quantities. None where that cannot be done.
+    /// Evaluates these quantities, the widths in stages. None where that cannot be done.
     pub(super) fn evaluate<D: Destination>(
         &mut self,
         quantities: &[Quantity],
@@ -140,23 +141,50 @@ impl Row<'_> {
         to: &mut D,
     ) -> Option<()> {
         for places in pairs(quantities, [Quantity::SirWidth, Quantity::CirWidth]) {
-            match widths {
-                Widths::Alone => self.widths_alone(places, to)?,
-                Widths::FromCoefficients => self.widths_from_coefficients(places, to)?,
-                Widths::FromCompliance => self.widths_from_compliance(places, to)?,
+            if widths == Widths::FromCompliance {
+                self.widths_from_compliance(places, to)?;
+            } else {
+                self.widths_from_coefficients(places, to)?;
             }
         }
-        for places in pairs(
-            quantities,
-            [Quantity::SirExactLower, Quantity::SirExactUpper],
-        ) {
-            self.ends::<D, Simple>(places, to)?;
+        self.others(quantities, to)
+    }
+
+    /// The same with the digits that a rotor has alone.
+    pub(super) fn evaluate_alone(
+        &mut self,
+        quantities: &[Quantity],
+        to: &mut Columns<'_, '_>,
+    ) -> Option<()> {
+        let any = self.any;
+        for (place, quantity) in quantities.iter().enumerate() {
+            match quantity {
+                Quantity::SirWidth => {
+                    let (lists, slices) = (self.coefficients()?, slices!(sir_width));
+                    along::<sir_width::Rows, Positive, _, 8>(place, lists, slices, any, to)?;
+                }
+                Quantity::CirWidth => {
+                    let (lists, slices) = (self.coefficients()?, slices!(cir_width));
+                    along::<cir_width::Rows, Positive, _, 8>(place, lists, slices, any, to)?;
+                }
+                _ => {}
+            }
         }
-        for places in pairs(
-            quantities,
-            [Quantity::CirExactLower, Quantity::CirExactUpper],
-        ) {
-            self.ends::<D, Combination>(places, to)?;
+        self.others(quantities, to)
+    }
+
+    /// Evaluates all but the widths.
+    fn others<D: Destination>(&mut self, quantities: &[Quantity], to: &mut D) -> Option<()> {
+        use Quantity::{CirExactLower, CirExactUpper, SirExactLower, SirExactUpper};
+        for (region, ends) in [
+            (RegionKind::Simple, [SirExactLower, SirExactUpper]),
+            (RegionKind::Combination, [CirExactLower, CirExactUpper]),
+        ] {
+            for places in pairs(quantities, ends) {
+                let (region, any) = ([number_of(region)], self.any);
+                let lists = self.coefficients()?;
+                both::<Ends, Partial, D, 1, 8>(places, &region, lists, |columns| columns, any, to)?;
+            }
         }
         for (place, quantity) in quantities.iter().enumerate() {
             self.single(place, *quantity, to)?;
@@ -236,7 +264,7 @@ impl Row<'_> {
                 let lists = [
                     beta, gamma, delta, epsilon_1, epsilon_12, epsilon_2, asymmetry, angle, speed,
                 ];
-                along::<GrowthRate, WithGaps, D, 9>(place, lists, |columns| columns, any, to)
+                along::<GrowthRate, Partial, D, 9>(place, lists, |columns| columns, any, to)
             }
             // These come in pairs.
             Quantity::SirWidth
@@ -300,8 +328,9 @@ impl Row<'_> {
             return to.pair::<Points, Positive, FIXED, TABLES>(places, &fixed(&first), tables);
         }
         let any = self.any;
-        both::<both_widths::Rows, Positive, D, 8>(
+        both::<both_widths::Rows, Positive, D, 0, 8>(
             places,
+            &[],
             self.coefficients()?,
             slices!(both_widths),
             any,
@@ -318,32 +347,6 @@ impl Row<'_> {
         let rows = self.any.len();
         let (fixed, lists) = self.chain.crack()?;
         to.pair::<Points, Positive, FIXED, TABLES>(places, &fixed, columns(lists, rows))
-    }
-
-    fn widths_alone<D: Destination>(
-        &mut self,
-        [simple, combination]: [Option<usize>; 2],
-        to: &mut D,
-    ) -> Option<()> {
-        let any = self.any;
-        if let Some(place) = simple {
-            let lists = self.coefficients()?;
-            along::<sir_width::Rows, Positive, D, 8>(place, lists, slices!(sir_width), any, to)?;
-        }
-        if let Some(place) = combination {
-            let lists = self.coefficients()?;
-            along::<cir_width::Rows, Positive, D, 8>(place, lists, slices!(cir_width), any, to)?;
-        }
-        Some(())
-    }
-
-    fn ends<D: Destination, R: Region>(
-        &mut self,
-        places: [Option<usize>; 2],
-        to: &mut D,
-    ) -> Option<()> {
-        let any = self.any;
-        both::<Ends<R>, WithGaps, D, 8>(places, self.coefficients()?, |columns| columns, any, to)
     }
 
     /// The coefficients of the first point.
@@ -412,26 +415,27 @@ where
 }
 
 /// The same for two quantities of one equation.
-fn both<K, T, D, const COUNT: usize>(
+fn both<K, T, D, const FIXED: usize, const COUNT: usize>(
     places: [Option<usize>; 2],
+    fixed: &[f64; FIXED],
     lists: [&mut List; COUNT],
     slices: fn([&[f64]; COUNT]) -> [&[f64]; COUNT],
     any: &[f64],
     to: &mut D,
 ) -> Option<()>
 where
-    K: Kernel<0, COUNT, 2>,
+    K: Kernel<FIXED, COUNT, 2>,
     T: Kind,
     D: Destination,
 {
     if !lists.iter().all(|list| list.is_same()) {
         let columns = slices(lists.map(|list| list.spread(any.len())));
-        return to.pair::<K, T, 0, COUNT>(places, &[], columns);
+        return to.pair::<K, T, FIXED, COUNT>(places, fixed, columns);
     }
     let mut numbers = [f64::NAN; 2];
     let results = numbers.each_mut().map(std::slice::from_mut);
     let columns = slices(lists.map(|list| list.spread(1)));
-    store::<K, ALL, 0, COUNT, 2>(Level::best(), &[], columns, results).ok()?;
+    store::<K, ALL, FIXED, COUNT, 2>(Level::best(), fixed, columns, results).ok()?;
     for (place, number) in places.into_iter().zip(numbers) {
         if let Some(place) = place {
             to.same::<T>(place, number, any)?;

@@ -74,86 +74,95 @@ impl Reducer {
         K: Kernel<FIXED, ALONG, RESULTS>,
         G: Gaps,
     {
-        let mut places = quantities.iter().flatten();
-        let of_rows = places.any(|place| !self.accumulators[*place].is_empty());
-        if of_rows || self.wanted.has_tallies() {
-            self.run::<K, G, true, FIXED, ALONG, RESULTS>(quantities, fixed, along)
-        } else {
-            self.run::<K, G, false, FIXED, ALONG, RESULTS>(quantities, fixed, along)
-        }
-    }
-
-    fn run<K, G, const SINGLY: bool, const FIXED: usize, const ALONG: usize, const RESULTS: usize>(
-        &mut self,
-        quantities: [Option<usize>; RESULTS],
-        fixed: &[f64; FIXED],
-        along: [&[f64]; ALONG],
-    ) -> Option<[Extremes; RESULTS]>
-    where
-        K: Kernel<FIXED, ALONG, RESULTS>,
-        G: Gaps,
-    {
         let rows = along.first().map_or(0, |column| column.len()) as u64;
-        let mut taking = Taking::<'_, G, SINGLY, RESULTS> {
-            gaps: PhantomData,
+        let (tallies, accumulators) = self.begin(&quantities);
+        let singly = self.wanted.has_tallies() || accumulators.iter().any(|of| !of.is_empty());
+        let mut kept = Kept {
             pass: Pass::of(&self.wanted),
             wanted: &self.wanted,
             first: self.first as f64,
-            has_tallies: self.wanted.has_tallies(),
-            tallies: [(); RESULTS].map(|()| Tally::of(&self.wanted)),
-            accumulators: quantities.map(|place| {
-                place
-                    .map(|place| std::mem::take(&mut self.accumulators[place]))
-                    .unwrap_or_default()
-            }),
-        };
-        let found = fold::<K, _, FIXED, ALONG, RESULTS>(Level::best(), fixed, along, &mut taking);
-        let Taking {
             tallies,
             accumulators,
-            ..
-        } = taking;
+        };
+        let level = Level::best();
+        let found = if singly {
+            let mut taking = Taking::<G, true, RESULTS>(&mut kept, PhantomData);
+            fold::<K, _, FIXED, ALONG, RESULTS>(level, fixed, along, &mut taking)
+        } else {
+            let mut taking = Taking::<G, false, RESULTS>(&mut kept, PhantomData);
+            fold::<K, _, FIXED, ALONG, RESULTS>(level, fixed, along, &mut taking)
+        };
+        let kept = (kept.tallies, kept.accumulators);
+        let present = (!G::HAS_GAPS).then_some(rows);
+        self.end(&quantities, kept, found.ok(), present)
+    }
+
+    /// What is kept of the quantities while their numbers are taken.
+    #[inline(never)]
+    fn begin<const RESULTS: usize>(
+        &mut self,
+        quantities: &[Option<usize>; RESULTS],
+    ) -> ([Tally; RESULTS], [Vec<Accumulator>; RESULTS]) {
+        let accumulators = quantities.map(|place| {
+            let of = place.and_then(|place| self.accumulators.get_mut(place));
+            of.map(std::mem::take).unwrap_or_default()
+        });
+        (
+            [(); RESULTS].map(|()| Tally::of(&self.wanted)),
+            accumulators,
+        )
+    }
+
+    /// What came of them, if anything was found; `present` numbers each if there are no gaps.
+    #[inline(never)]
+    fn end<const RESULTS: usize>(
+        &mut self,
+        quantities: &[Option<usize>; RESULTS],
+        (tallies, accumulators): ([Tally; RESULTS], [Vec<Accumulator>; RESULTS]),
+        found: Option<[Found; RESULTS]>,
+        present: Option<u64>,
+    ) -> Option<[Extremes; RESULTS]> {
         for (place, accumulators) in quantities.iter().zip(accumulators) {
             if let Some(place) = place {
                 self.accumulators[*place] = accumulators;
             }
         }
         let mut extremes = [Extremes::NONE; RESULTS];
-        let all = found
-            .ok()?
-            .into_iter()
-            .zip(tallies)
-            .zip(quantities)
-            .zip(&mut extremes);
-        for (((found, tally), place), extremes) in all {
-            let summary = found.with(tally, &self.wanted, (!G::HAS_GAPS).then_some(rows));
+        let all = found?.into_iter().zip(tallies);
+        for ((place, extremes), (found, tally)) in quantities.iter().zip(&mut extremes).zip(all) {
+            let summary = found.with(tally, &self.wanted, present);
             *extremes = summary.extremes;
             if let Some(place) = place {
-                self.summaries[place] = Some(summary);
+                self.summaries[*place] = Some(summary);
             }
         }
         Some(extremes)
     }
 }
 
-/// Takes numbers for their columns as a whole and, with `EACH`, for each row.
-struct Taking<'a, G, const SINGLY: bool, const RESULTS: usize> {
-    gaps: PhantomData<G>,
+/// What is kept of columns while their numbers are taken, beside what is in packs.
+struct Kept<'a, const RESULTS: usize> {
     pass: Pass,
     wanted: &'a Wanted,
     /// The point of the first row.
     first: f64,
-    has_tallies: bool,
     tallies: [Tally; RESULTS],
     accumulators: [Vec<Accumulator>; RESULTS],
 }
+
+/// Takes numbers for their columns as a whole, in packs, and with `SINGLY` what takes them one by one or row by row too: the
+/// loop without keeps its numbers in registers.
+struct Taking<'a, 'b, G, const SINGLY: bool, const RESULTS: usize>(
+    &'a mut Kept<'b, RESULTS>,
+    PhantomData<G>,
+);
 
 #[allow(
     clippy::needless_range_loop,
     reason = "adapters of iterators are not always inlined into these loops"
 )]
 impl<G: Gaps, const SINGLY: bool, const RESULTS: usize> Consumer<RESULTS>
-    for Taking<'_, G, SINGLY, RESULTS>
+    for Taking<'_, '_, G, SINGLY, RESULTS>
 {
     type Lanes<S: Simd> = Lanes<S, RESULTS>;
     type Output = [Found; RESULTS];
@@ -171,14 +180,13 @@ impl<G: Gaps, const SINGLY: bool, const RESULTS: usize> Consumer<RESULTS>
         rows: usize,
         results: &[Pack<S>; RESULTS],
     ) {
-        lanes.take::<G>(self.pass, (first, rows), results);
+        let kept = &mut *self.0;
+        lanes.take::<G>(kept.pass, (first, rows), results);
         if SINGLY {
             for place in 0..RESULTS {
-                if self.has_tallies {
-                    self.tallies[place].take::<S, G>(self.wanted, rows, results[place]);
-                }
-                for accumulator in &mut self.accumulators[place] {
-                    accumulator.take::<S, G>(first, self.first + first as f64, results[place]);
+                kept.tallies[place].take::<S, G>(kept.wanted, rows, results[place]);
+                for accumulator in &mut kept.accumulators[place] {
+                    accumulator.take::<S, G>(first, kept.first + first as f64, results[place]);
                 }
             }
         }

@@ -88,6 +88,20 @@ pub(crate) trait Gaps {
     const HAS_GAPS: bool;
 }
 
+/// All are numbers.
+pub(crate) struct WithoutGaps;
+
+impl Gaps for WithoutGaps {
+    const HAS_GAPS: bool = false;
+}
+
+/// Some may be NaN.
+pub(crate) struct WithGaps;
+
+impl Gaps for WithGaps {
+    const HAS_GAPS: bool = true;
+}
+
 /// Numbers that are summed side by side; as many on every level, so that sums are the same everywhere.
 pub(crate) const SUMS: usize = 8;
 
