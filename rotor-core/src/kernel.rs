@@ -14,6 +14,8 @@ mod iteration;
 mod list;
 mod quantities;
 mod sizes;
+#[cfg(test)]
+mod tests;
 
 use crate::extremes::Itself;
 use crate::quantity::{self, Quantity};

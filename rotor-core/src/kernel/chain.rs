@@ -54,7 +54,7 @@ pub(super) fn inputs_of_coefficients() -> Inputs {
 }
 
 /// What is computed together.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Stage {
     Loads,
     Compliance,
@@ -535,4 +535,53 @@ pub(super) struct Needs {
     pub(super) coefficients: bool,
     /// A combination region, for which $\beta < 2$.
     pub(super) combination: bool,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Which stages a row would compute anew.
+    fn stale(chain: &Chain) -> Vec<Stage> {
+        let stages = Stage::ALL.into_iter().zip(chain.stale);
+        stages
+            .filter_map(|(stage, stale)| stale.then_some(stage))
+            .collect()
+    }
+
+    #[test]
+    fn the_compliance_along_the_depth_is_computed_once_for_all_rows() {
+        use Stage::{Coefficients, Compliance, Crack, Inertia, Loads, Regions, Stiffness};
+        let depth = NumericInput::find("crack_depth_ratio").unwrap();
+        let depths = [0.1, 0.2, 0.3];
+        let mut chain = Chain::new(depths.len(), &[depth], Some(&[&depths]));
+        let mut row = RotorParameters::PAPER;
+        let needs = Needs {
+            stiffness: true,
+            coefficients: true,
+            combination: true,
+        };
+        let mut renewed = |change: fn(&mut RotorParameters)| {
+            change(&mut row);
+            chain.update(&row);
+            let found = stale(&chain);
+            assert_eq!(chain.trust(needs, &mut []), Some(true));
+            assert!(chain.crack().is_some() && chain.regions().is_some());
+            assert_eq!(stale(&chain), []);
+            found
+        };
+        assert_eq!(renewed(|_| {}), Stage::ALL);
+        assert_eq!(renewed(|row| row.crack_angle = 0.4), []);
+        assert_eq!(renewed(|row| row.disk_asymmetry = 0.1), []);
+        assert_eq!(
+            renewed(|row| row.disk_mass = 9.0),
+            [Inertia, Coefficients, Regions]
+        );
+        let of_loads = [Loads, Stiffness, Coefficients, Regions];
+        assert_eq!(renewed(|row| row.crack_position_ratio = 0.4), of_loads);
+        let of_crack = [Compliance, Crack, Stiffness, Coefficients, Regions];
+        assert_eq!(renewed(|row| row.shaft_radius = 0.01), of_crack);
+        // It varies along the axis.
+        assert_eq!(renewed(|row| row.crack_depth_ratio = 0.4), []);
+    }
 }
