@@ -19,14 +19,22 @@ use both_widths::along_beta_and_gamma_and_delta_and_epsilon_1_and_epsilon_12_and
 use both_widths::{along_crack_angle, along_disk_asymmetry};
 use widths::along_c11_and_c22_and_c33_and_c44 as along_compliance;
 
-/// The columns of all coefficients as an equation takes them.
+/// The columns of the first so many coefficients, or of other numbers, as an equation takes them.
 macro_rules! slices {
-    ($equation:ident) => {{
+    ($equation:ident, 3) => {
+        slices!($equation, 3, c_beta, c_gamma, c_delta)
+    };
+    ($equation:ident, 6) => {
+        slices!(
+            $equation, 6, c_beta, c_gamma, c_delta, c_epsilon_1, c_epsilon_12, c_epsilon_2
+        )
+    };
+    ($equation:ident, 8) => {
         slices!(
             $equation, 8, c_beta, c_gamma, c_delta, c_epsilon_1, c_epsilon_12, c_epsilon_2,
             c_disk_asymmetry, c_crack_angle
         )
-    }};
+    };
     ($equation:ident, $count:literal $(, $field:ident)*) => {{
         fn slices([$($field),*]: [&[f64]; $count]) -> [&[f64]; $count] {
             $equation::Columns { $($field),* }.slices()
@@ -160,11 +168,11 @@ impl Row<'_> {
         for (place, quantity) in quantities.iter().enumerate() {
             match quantity {
                 Quantity::SirWidth => {
-                    let (lists, slices) = (self.coefficients()?, slices!(sir_width));
+                    let (lists, slices) = (self.coefficients()?, slices!(sir_width, 8));
                     along::<sir_width::Rows, Positive, _, 8>(place, lists, slices, any, to)?;
                 }
                 Quantity::CirWidth => {
-                    let (lists, slices) = (self.coefficients()?, slices!(cir_width));
+                    let (lists, slices) = (self.coefficients()?, slices!(cir_width, 8));
                     along::<cir_width::Rows, Positive, _, 8>(place, lists, slices, any, to)?;
                 }
                 _ => {}
@@ -203,9 +211,9 @@ impl Row<'_> {
         let number = quantity as usize;
         // The equations take the first three or six of the coefficients.
         macro_rules! of_coefficients {
-            ($equation:ident, $kind:ty, $count:literal $(, $field:ident)*) => {{
+            ($equation:ident, $kind:ty, $count:tt) => {{
                 let lists = self.chain.coefficients()?.first_chunk_mut::<$count>()?;
-                let slices = slices!($equation, $count $(, $field)*);
+                let slices = slices!($equation, $count);
                 along::<$equation::Rows, $kind, D, $count>(place, lists.each_mut(), slices, any, to)
             }};
         }
@@ -228,42 +236,12 @@ impl Row<'_> {
                 let slices = slices!(reference_speed, 2, p_disk_mass, k_k_tt);
                 along::<reference_speed::Rows, Positive, D, 2>(place, lists, slices, any, to)
             }
-            Quantity::SirStart => {
-                of_coefficients!(sir_start, Positive, 3, c_beta, c_gamma, c_delta)
-            }
-            Quantity::CirStart => {
-                of_coefficients!(cir_start, Positive, 3, c_beta, c_gamma, c_delta)
-            }
-            Quantity::SirZupAsymmetry => of_coefficients!(
-                sir_zup_asymmetry,
-                Finite,
-                6,
-                c_beta,
-                c_gamma,
-                c_delta,
-                c_epsilon_1,
-                c_epsilon_12,
-                c_epsilon_2
-            ),
-            Quantity::CirZupAsymmetry => of_coefficients!(
-                cir_zup_asymmetry,
-                Finite,
-                6,
-                c_beta,
-                c_gamma,
-                c_delta,
-                c_epsilon_1,
-                c_epsilon_12,
-                c_epsilon_2
-            ),
+            Quantity::SirStart => of_coefficients!(sir_start, Positive, 3),
+            Quantity::CirStart => of_coefficients!(cir_start, Positive, 3),
+            Quantity::SirZupAsymmetry => of_coefficients!(sir_zup_asymmetry, Finite, 6),
+            Quantity::CirZupAsymmetry => of_coefficients!(cir_zup_asymmetry, Finite, 6),
             Quantity::GrowthRate => {
-                let [beta, gamma, delta, epsilon_1, epsilon_12, epsilon_2] =
-                    self.chain.coefficients()?.first_chunk_mut()?.each_mut();
-                let (asymmetry, angle) = (&mut *self.asymmetry, &mut *self.angle);
-                let speed = &mut *self.speed;
-                let lists = [
-                    beta, gamma, delta, epsilon_1, epsilon_12, epsilon_2, asymmetry, angle, speed,
-                ];
+                let lists = self.coefficients_and_speed()?;
                 along::<GrowthRate, Partial, D, 9>(place, lists, |columns| columns, any, to)
             }
             // These come in pairs.
@@ -278,11 +256,17 @@ impl Row<'_> {
 
     /// The coefficients of all points.
     fn coefficients(&mut self) -> Option<[&mut List; 8]> {
+        let [coefficients @ .., _] = self.coefficients_and_speed()?;
+        Some(coefficients)
+    }
+
+    fn coefficients_and_speed(&mut self) -> Option<[&mut List; 9]> {
         let [beta, gamma, delta, epsilon_1, epsilon_12, epsilon_2] =
             self.chain.coefficients()?.first_chunk_mut()?.each_mut();
         let (asymmetry, angle) = (&mut *self.asymmetry, &mut *self.angle);
+        let speed = &mut *self.speed;
         Some([
-            beta, gamma, delta, epsilon_1, epsilon_12, epsilon_2, asymmetry, angle,
+            beta, gamma, delta, epsilon_1, epsilon_12, epsilon_2, asymmetry, angle, speed,
         ])
     }
 
@@ -332,7 +316,7 @@ impl Row<'_> {
             places,
             &[],
             self.coefficients()?,
-            slices!(both_widths),
+            slices!(both_widths, 8),
             any,
             to,
         )
