@@ -76,7 +76,8 @@ pub fn inputs_type(symbols: &[String]) -> TokenStream {
             /// The columns in the order in which the bodies of rows take them.
             #[inline]
             pub const fn slices(&self) -> [&'a [f64]; #count] {
-                [#(self.#names),*]
+                let slices = [#(self.#names),*];
+                slices
             }
         }
     }
