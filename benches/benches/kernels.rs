@@ -11,7 +11,8 @@ use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_mai
 use rotor_benches::cases::{Bench, CASES, Sizes};
 use rotor_benches::corpus::{chemistry, geometry, robotics};
 use rotor_core::equations::{
-    cir_width, coefficients, crack_compliance, phi, sir_width, stiffness, support_arm, widths_support_arm,
+    cir_width, coefficients, crack_compliance, phi, sir_width, stiffness, support_arm,
+    widths_support_arm,
 };
 use rotor_core::rotor::{Rotor, RotorParameters};
 

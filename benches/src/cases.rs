@@ -359,7 +359,13 @@ impl Consumer<2> for Greatest {
     }
 
     #[inline(always)]
-    fn take<S: Simd>(&mut self, lanes: &mut [Pack<S>; 2], _: usize, _: usize, results: &[Pack<S>; 2]) {
+    fn take<S: Simd>(
+        &mut self,
+        lanes: &mut [Pack<S>; 2],
+        _: usize,
+        _: usize,
+        results: &[Pack<S>; 2],
+    ) {
         for (greatest, result) in lanes.iter_mut().zip(results) {
             // Beyond the last row a pack repeats rows that are there.
             *greatest = greatest.max(*result);

@@ -4,6 +4,8 @@
 //! the row before, and once only where they are the same at all points. What an axis alone decides, as the crack's compliance
 //! along its depth, is therefore computed once for each of its values, and what the other inputs alone decide once a row.
 
+use std::sync::LazyLock;
+
 use lanes::{ALL, Level, store};
 
 use crate::equations::both_widths::along_beta_and_gamma_and_delta_and_epsilon_1_and_epsilon_12_and_epsilon_2 as regions;
@@ -50,8 +52,12 @@ pub(super) fn inputs_of_compliance_alone() -> Inputs {
 
 /// The inputs that the coefficients depend on, but for the two that are coefficients themselves.
 pub(super) fn inputs_of_coefficients() -> Inputs {
-    Stage::Coefficients.inputs()
+    DEPENDS[Stage::Coefficients as usize]
 }
+
+/// What each stage depends on: found once, for there may be many small tables.
+static DEPENDS: LazyLock<[Inputs; Stage::ALL.len()]> =
+    LazyLock::new(|| Stage::ALL.map(Stage::inputs));
 
 /// What is computed together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -151,7 +157,7 @@ impl Chain {
         Self {
             rows,
             varied: inputs(&names),
-            depends: Stage::ALL.map(Stage::inputs),
+            depends: *DEPENDS,
             stale: [true; Stage::ALL.len()],
             row: None,
             inputs: std::array::from_fn(|place| column(place).unwrap_or_default()),
