@@ -5,7 +5,7 @@
 //! inputs, [`Kernel::evaluate`] where its numbers are wanted, or [`Kernel::reduce`] where what reductions keep of them is.
 //!
 //! Both run generated code in packs, equation by equation ([`chain`]) up to the last loop ([`quantities`]), whose numbers go
-//! where they are wanted ([`destination`]). Whatever that leaves open is computed point by point: points at which a region may
+//! where they are wanted ([`destination`]); in that loop are iterations too ([`iteration`]), point by point. Whatever this leaves open is computed point by point: points at which a region may
 //! not exist, and inputs far from those of any machine.
 
 mod chain;
@@ -14,11 +14,12 @@ mod iteration;
 mod list;
 mod quantities;
 mod sizes;
+mod stage;
 #[cfg(test)]
 mod tests;
 
 use crate::extremes::Itself;
-use crate::quantity::{self, Quantity};
+use crate::quantity::{Quantity, Shared};
 use crate::rotor::{INPUTS, NumericInput, Rotor, RotorParameters};
 use crate::statistic::Reducer;
 use crate::variable::Variable;
@@ -32,8 +33,10 @@ use sizes::Sizes;
 /// The most points of a block.
 pub(crate) const POINTS_PER_BLOCK: usize = 4096;
 
-/// The most blocks whose tables are kept, for an axis of as many: rows go through all of them.
-const MOST_BLOCKS: usize = 16;
+/// The most blocks whose tables are kept, for an axis of as many: rows go through all of them. With a chain each block has
+/// more than a megabyte of them, without a tenth of that. The rows of a table are no axis: no block comes again.
+const MOST_BLOCKS_WITH_CHAIN: usize = 8;
+const MOST_BLOCKS: usize = 96;
 
 /// Points that have the same values in every row.
 struct Block {
@@ -67,7 +70,8 @@ pub(crate) struct Evaluated {
 pub(crate) struct Kernel<'a> {
     quantities: &'a [Quantity],
     needs: Needs,
-    widths: Widths,
+    /// How widths are computed in stages; without, they have the digits that a rotor has alone.
+    widths: Option<Widths>,
     variables: Vec<Variable>,
     /// Those that are inputs of the rotor.
     inputs: Vec<&'static NumericInput>,
@@ -95,7 +99,7 @@ impl<'a> Kernel<'a> {
         quantities: &'a [Quantity],
     ) -> Self {
         let variables = inputs.into_iter().map(Variable::Input).collect();
-        Self::new(variables, quantities, Widths::Alone)
+        Self::new(variables, quantities, None)
     }
 
     /// A kernel for a block along an axis that has these variables, inside of an axis with those of `next`, if there is one.
@@ -107,18 +111,18 @@ impl<'a> Kernel<'a> {
         let variables: Vec<_> = variables.into_iter().collect();
         let set = |inputs: Vec<&NumericInput>| {
             let names: Vec<_> = inputs.iter().map(|input| input.name).collect();
-            chain::inputs(&names)
+            stage::inputs(&names)
         };
         let varied = set(inputs_among(&variables));
         let next = next.map(|next| set(inputs_among(&next.into_iter().collect::<Vec<_>>())));
         let widths = quantities::widths_along(quantities, varied, next);
-        Self::new(variables, quantities, widths)
+        Self::new(variables, quantities, Some(widths))
     }
 
-    fn new(variables: Vec<Variable>, quantities: &'a [Quantity], widths: Widths) -> Self {
+    fn new(variables: Vec<Variable>, quantities: &'a [Quantity], widths: Option<Widths>) -> Self {
         let inputs = inputs_among(&variables);
         let names: Vec<_> = inputs.iter().map(|input| input.name).collect();
-        let varies = chain::inputs(&names) & chain::inputs_of_coefficients() != 0;
+        let varies = stage::inputs(&names) & stage::inputs_of_coefficients() != 0;
         let fixed = INPUTS.iter().filter(|input| !inputs.contains(input));
         Self {
             quantities,
@@ -152,7 +156,12 @@ impl<'a> Kernel<'a> {
             fill(number, values);
         }
         let block = self.block(first, values);
-        if self.blocks.len() < MOST_BLOCKS {
+        let most = match (&self.chain, self.widths) {
+            (_, None) => 1,
+            (Some(_), _) => MOST_BLOCKS,
+            (None, _) => MOST_BLOCKS_WITH_CHAIN,
+        };
+        if self.blocks.len() < most {
             self.current = self.blocks.len();
             self.blocks.push(block);
             return;
@@ -195,7 +204,10 @@ impl<'a> Kernel<'a> {
             entered: self.entered,
             all_are_plain: plain.iter().all(|plain| *plain),
             plain,
-            tables: AxisTables::along(&names, &of_inputs),
+            tables: match self.widths {
+                Some(_) => AxisTables::along(&names, &of_inputs),
+                None => AxisTables::None,
+            },
             chain,
             asymmetry,
             angle,
@@ -219,20 +231,21 @@ impl<'a> Kernel<'a> {
         known.clear();
         let evaluated = self.row(row, speed).and_then(|(mut points, plain)| {
             known.extend_from_slice(plain);
+            let all = points.chain.trust(needs, &mut known)?;
+            if needs.iteration && !all {
+                return None;
+            }
             let mut columns = Columns {
                 results,
                 known: &mut known,
-                all_are_known: true,
+                all_are_known: all,
                 has_gaps: false,
             };
-            if widths == Widths::Alone {
-                points.evaluate_alone(quantities, &mut columns)?;
-            } else {
-                points.evaluate(quantities, widths, &mut columns)?;
+            match widths {
+                Some(widths) => points.evaluate(quantities, widths, &mut columns)?,
+                None => points.evaluate_alone(quantities, &mut columns)?,
             }
-            let (all, has_gaps) = (columns.all_are_known, columns.has_gaps);
-            let all = points.chain.trust(needs, &mut known)? && all;
-            Some((all, !has_gaps))
+            Some((columns.all_are_known, !columns.has_gaps))
         });
         let (all_are_known, is_complete) = evaluated.unwrap_or_default();
         if evaluated.is_none() {
@@ -250,21 +263,17 @@ impl<'a> Kernel<'a> {
         self.rest(row, speed, results)
     }
 
-    /// Reduces the quantities of the block for the rotors of a row, as [`Kernel::evaluate`] has them. `begin` gives the reducer
-    /// what was kept before; it is called again where what was begun had to be given up.
+    /// Reduces the quantities of the block for the rotors of a row, as [`Kernel::evaluate`] has them; how many points are no
+    /// rotor. `begin` gives the reducer what was kept before, again where what was begun had to be given up.
     pub(crate) fn reduce(
         &mut self,
         row: &RotorParameters,
         speed: Option<f64>,
         reducer: &mut Reducer,
         begin: impl Fn(&mut Reducer),
-    ) -> Evaluated {
-        begin(reducer);
-        if self.reduce_in_packs(row, speed, reducer).is_some() {
-            return Evaluated {
-                no_rotor: 0,
-                is_complete: false,
-            };
+    ) -> u64 {
+        if self.reduce_in_packs(row, speed, reducer, &begin).is_some() {
+            return 0;
         }
         begin(reducer);
         let mut columns = std::mem::take(&mut self.columns);
@@ -279,24 +288,26 @@ impl<'a> Kernel<'a> {
             debug_assert!(reduced.is_some(), "a column has the length of itself");
         }
         self.columns = columns;
-        evaluated
+        evaluated.no_rotor
     }
 
-    /// Reduces where the numbers arise. None, with something begun, where not all points are known.
+    /// Reduces where the numbers arise. None, perhaps with something begun, where not all points are known.
     fn reduce_in_packs(
         &mut self,
         row: &RotorParameters,
         speed: Option<f64>,
         reducer: &mut Reducer,
+        begin: impl Fn(&mut Reducer),
     ) -> Option<()> {
         if !self.all_are_plain() {
             return None;
         }
-        let (quantities, needs, widths) = (self.quantities, self.needs, self.widths);
+        let (quantities, needs, widths) = (self.quantities, self.needs, self.widths?);
         let (mut points, _) = self.row(row, speed)?;
         if !points.chain.trust(needs, &mut [])? {
             return None;
         }
+        begin(reducer);
         points.evaluate(quantities, widths, reducer)
     }
 
@@ -328,7 +339,7 @@ impl<'a> Kernel<'a> {
                 list.set(number);
             }
         }
-        if let Some(speed) = speed {
+        if let Some(speed) = speed.filter(|_| block.speed.is_same()) {
             block.speed.set(speed);
         }
         let points = Row {
@@ -363,43 +374,33 @@ impl<'a> Kernel<'a> {
         results: &mut [&mut [f64]],
     ) -> Evaluated {
         let mut no_rotor = 0;
+        // Where the speed alone varies, all points are of one rotor.
+        let rotor = Rotor::new(*row).ok().filter(|_| self.inputs.is_empty());
+        let of_all = rotor.as_ref().map(Shared::new);
         for (point, known) in self.known.iter().enumerate() {
-            if !known {
-                no_rotor += u64::from(!self.point(row, speed, point, results));
+            if *known {
+                continue;
+            }
+            let (mut parameters, mut speed) = (*row, speed);
+            if let Some(block) = self.blocks.get(self.current) {
+                for (variable, values) in self.variables.iter().zip(&block.values) {
+                    variable.set(&mut parameters, &mut speed, values[point]);
+                }
+            }
+            let rotor = Rotor::new(parameters);
+            no_rotor += u64::from(rotor.is_err());
+            let alone = rotor.as_ref().ok().map(Shared::new);
+            for (quantity, result) in self.quantities.iter().zip(results.iter_mut()) {
+                let value = of_all.as_ref().or(alone.as_ref());
+                let value = value.and_then(|shared| shared.get(*quantity, speed).ok());
+                // A zero has no sign.
+                result[point] = value.map_or(f64::NAN, |value| value + 0.0);
             }
         }
         Evaluated {
             no_rotor,
             is_complete: false,
         }
-    }
-
-    /// Evaluates one point; whether it is a rotor.
-    fn point(
-        &self,
-        row: &RotorParameters,
-        mut speed: Option<f64>,
-        point: usize,
-        results: &mut [&mut [f64]],
-    ) -> bool {
-        let mut parameters = *row;
-        if let Some(block) = self.blocks.get(self.current) {
-            for (variable, values) in self.variables.iter().zip(&block.values) {
-                variable.set(&mut parameters, &mut speed, values[point]);
-            }
-        }
-        let Ok(rotor) = Rotor::new(parameters) else {
-            for result in results.iter_mut() {
-                result[point] = f64::NAN;
-            }
-            return false;
-        };
-        let values = quantity::evaluate_at(self.quantities, &rotor, speed);
-        for (result, value) in results.iter_mut().zip(values) {
-            // A zero has no sign.
-            result[point] = value.map_or(f64::NAN, |value| value + 0.0);
-        }
-        true
     }
 }
 

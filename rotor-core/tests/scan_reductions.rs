@@ -242,6 +242,113 @@ fn points_without_a_quantity_take_no_part() {
 }
 
 #[test]
+fn of_three_axes_any_are_reduced_over_several_chunks() {
+    let axes = [
+        ("crack_depth_ratio", 5),
+        ("crack_position_ratio", 7),
+        ("crack_angle", 5003),
+    ];
+    let lengths = axes.map(|(_, length)| length);
+    let scan = axes
+        .iter()
+        .fold(Scan::of(&Rotor::default()), |scan, (name, length)| {
+            scan.vary(Axis::linear(input(name), ends(input(name)), *length).unwrap())
+        });
+    let scan = scan.quantity(Quantity::CirWidth);
+    let values = scanned(&scan.clone().plan().unwrap(), 0);
+    assert!(values.len() as u64 > rotor_core::scan::POINTS_PER_CHUNK);
+    for reduced_axes in [
+        vec![0],
+        vec![1],
+        vec![2],
+        vec![0, 1],
+        vec![0, 2],
+        vec![1, 2],
+    ] {
+        let reductions = statistics((0.0, 0.2)).into_iter().map(|statistic| {
+            let names = reduced_axes.iter().map(|axis| input(axes[*axis].0));
+            names.fold(Reduction::new(statistic), Reduction::over)
+        });
+        let plan = reductions.fold(scan.clone(), Scan::reduce).plan().unwrap();
+        let report = plan.reduce(&Control::default()).unwrap();
+        let mut groups = vec![Vec::new(); report.reduced[0].groups() as usize];
+        for (point, value) in (0..).zip(&values) {
+            let mut rest: u64 = point;
+            let (mut group, mut stride) = (0, 1);
+            for axis in (0..3).rev() {
+                let index = rest % lengths[axis];
+                rest /= lengths[axis];
+                if !reduced_axes.contains(&axis) {
+                    group += index * stride;
+                    stride *= lengths[axis];
+                }
+            }
+            groups[group as usize].push((point, *value));
+        }
+        for reduced in &report.reduced {
+            // Of the many groups along the angle a part.
+            for (group, points) in groups.iter().enumerate().step_by(13) {
+                assert_group(reduced, 0, group as u64, points);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_histogram_of_more_bins_than_a_row_has_points_is_what_they_say() {
+    let scan = Scan::of(&Rotor::default())
+        .vary(Axis::linear(input("shaft_length"), (0.4, 0.6), 50).unwrap())
+        .vary(Axis::linear(input("crack_angle"), (0.0, 3.0), 19).unwrap())
+        .quantity(Quantity::SirWidth);
+    let values = scanned(&scan.clone().plan().unwrap(), 0);
+    let bins = 10_000;
+    let (low, high) = (0.01, 0.15);
+    let statistic = Statistic::Histogram { low, high, bins };
+    for over in [vec![], vec![input("crack_angle")]] {
+        let reduction = over
+            .iter()
+            .fold(Reduction::new(statistic), |reduction, over| {
+                reduction.over(*over)
+            });
+        let plan = scan.clone().reduce(reduction).plan().unwrap();
+        let reduced = plan.reduce(&Control::default()).unwrap().reduced;
+        let size = values.len() / reduced[0].groups() as usize;
+        for (group, values) in values.chunks(size).enumerate() {
+            let points: Vec<_> = (0..).zip(values.iter().copied()).collect();
+            assert_group(&reduced[0], 0, group as u64, &points);
+        }
+    }
+}
+
+#[test]
+fn more_blocks_than_are_kept_are_what_the_points_say() {
+    // Of an axis with coefficients of its own, and of one without.
+    for (name, length) in [
+        ("crack_depth_ratio", 9 * 4096 + 1),
+        ("crack_angle", 97 * 4096 + 1),
+    ] {
+        let scan = Scan::of(&Rotor::default())
+            .vary(Axis::listed(input("disk_asymmetry"), vec![0.1, 0.2]).unwrap())
+            .vary(Axis::linear(input(name), ends(input(name)), length).unwrap())
+            .quantity(Quantity::SirWidth);
+        let values = scanned(&scan.clone().plan().unwrap(), 0);
+        let reduction = |statistic| Reduction::new(statistic).over(input(name));
+        let scan = scan
+            .reduce(reduction(Statistic::ArgMaximum))
+            .reduce(reduction(Statistic::Mean));
+        let report = scan.plan().unwrap().reduce(&Control::default()).unwrap();
+        for (group, first) in [(0, 0), (1, length)] {
+            let points: Vec<_> = (first..first + length)
+                .map(|point| (point, values[point as usize]))
+                .collect();
+            for reduced in &report.reduced {
+                assert_group(reduced, 0, group, &points);
+            }
+        }
+    }
+}
+
+#[test]
 fn reductions_over_axes_inside_and_outside_are_the_same_together_and_alone() {
     let scan = |over: &[&str]| {
         let depths = Axis::linear(input("crack_depth_ratio"), (0.0, 0.4), 57).unwrap();

@@ -10,10 +10,11 @@ use crate::extremes::Itself;
 use crate::quantity::Quantity;
 use crate::region::RegionKind;
 
-use super::chain::{self, Chain, Inputs, Needs};
+use super::chain::{Chain, Needs};
 use super::destination::{Columns, Destination, Finite, Kind, Partial, Positive};
 use super::iteration::{Ends, GrowthRate, number_of};
 use super::list::{List, columns};
+use super::stage::{self, Inputs};
 
 use both_widths::along_beta_and_gamma_and_delta_and_epsilon_1_and_epsilon_12_and_epsilon_2 as along_coefficients;
 use both_widths::{along_crack_angle, along_disk_asymmetry};
@@ -44,15 +45,23 @@ macro_rules! slices {
 }
 
 /// What quantities need of the chain, if widths are computed so.
-pub(super) fn needs(quantities: &[Quantity], widths: Widths) -> Needs {
+pub(super) fn needs(quantities: &[Quantity], widths: Option<Widths>) -> Needs {
     let mut needs = Needs::default();
     for quantity in quantities {
         match quantity {
             Quantity::C11 | Quantity::C22 | Quantity::C33 | Quantity::C44 => {}
             Quantity::ReferenceSpeed => needs.stiffness = true,
-            Quantity::SirWidth | Quantity::CirWidth if widths == Widths::FromCompliance => {}
+            Quantity::SirWidth | Quantity::CirWidth if widths == Some(Widths::FromCompliance) => {}
             _ => (needs.stiffness, needs.coefficients) = (true, true),
         }
+        needs.iteration |= matches!(
+            quantity,
+            Quantity::SirExactLower
+                | Quantity::SirExactUpper
+                | Quantity::CirExactLower
+                | Quantity::CirExactUpper
+                | Quantity::GrowthRate
+        );
         needs.combination |= matches!(
             quantity,
             Quantity::CirStart
@@ -73,8 +82,8 @@ pub(super) fn widths_along(
     next: Option<Inputs>,
 ) -> Widths {
     let is_width = |quantity| matches!(quantity, &Quantity::SirWidth | &Quantity::CirWidth);
-    let of_compliance = varied != 0 && varied & !chain::inputs_of_compliance_alone() == 0;
-    let others = next.is_none_or(|next| next & chain::inputs_of_coefficients() != 0);
+    let of_compliance = varied != 0 && varied & !stage::inputs_of_compliance_alone() == 0;
+    let others = next.is_none_or(|next| next & stage::inputs_of_coefficients() != 0);
     if of_compliance && others && quantities.iter().all(is_width) {
         Widths::FromCompliance
     } else {
@@ -117,12 +126,10 @@ where
     Some(tables)
 }
 
-/// How widths are computed.
+/// How both widths are computed together, in stages.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Widths {
-    /// By an equation for each, with the digits that a rotor has alone.
-    Alone,
-    /// From the coefficients, in stages that both share; the next row may well have the same coefficients.
+    /// From the coefficients, of which some may vary; the next row may well have the same coefficients.
     FromCoefficients,
     /// From the crack's compliance, which alone varies, in one loop; the next row has other coefficients.
     FromCompliance,
@@ -262,7 +269,7 @@ impl Row<'_> {
 
     fn coefficients_and_speed(&mut self) -> Option<[&mut List; 9]> {
         let [beta, gamma, delta, epsilon_1, epsilon_12, epsilon_2] =
-            self.chain.coefficients()?.first_chunk_mut()?.each_mut();
+            self.chain.coefficients()?.each_mut();
         let (asymmetry, angle) = (&mut *self.asymmetry, &mut *self.angle);
         let speed = &mut *self.speed;
         Some([

@@ -251,15 +251,14 @@ pub(super) fn reduce<'a>(
     let counts = for_each_block(kernels, number, stop, |kernel, block, counts| {
         let points = (block.first, block.points);
         let begin = |reducer: &mut Reducer| part.begin(points, reducer);
-        let evaluated = kernel.reduce(&block.row, block.speed, &mut reducer, begin);
-        counts.no_rotor += evaluated.no_rotor;
+        counts.no_rotor += kernel.reduce(&block.row, block.speed, &mut reducer, begin);
         for (quantity, missing) in counts.missing.iter_mut().enumerate() {
             let present = reducer
                 .summary(quantity)
                 .map_or(0, |summary| summary.present);
             *missing += block.points as u64 - present;
         }
-        part.end(points, &mut reducer);
+        part.end(block.first, &mut reducer);
     })?;
     Some((counts, part))
 }

@@ -23,6 +23,9 @@ pub const MOST_RESULTS: u64 = 1 << 21;
 /// The most bins of a histogram.
 pub const MOST_BINS: u32 = 1 << 16;
 
+/// How a state is laid out; another number where that changes.
+const LAYOUT: u8 = 2;
+
 /// Refuses thresholds and bins that are none.
 fn check(statistic: Statistic) -> Result<(), ScanError> {
     match statistic {
@@ -166,6 +169,13 @@ impl Grouping {
         self.strides.last() == Some(&0)
     }
 
+    /// Whether a block is taken as a whole. It is point by point where its points are of different groups, and for a histogram
+    /// of so many bins that they would take longer than the points of a row.
+    fn takes_blocks(&self, space: &Space) -> bool {
+        let points = space.axes().last().map_or(1, super::Axis::len);
+        self.reduces_inner_axis() && self.width as u64 <= points.max(64)
+    }
+
     /// The group of a point.
     fn group(&self, space: &Space, point: u64) -> u64 {
         let mut rest = point;
@@ -245,7 +255,7 @@ impl<'a> Reductions<'a> {
         let mut accumulators = Vec::new();
         for grouping in &self.plan.groupings {
             let statistic = grouping.reduction.statistic;
-            if grouping.reduces_inner_axis() {
+            if grouping.takes_blocks(&self.plan.space) {
                 wanted.add(statistic);
             } else {
                 accumulators.push(Accumulator::new(statistic));
@@ -258,7 +268,7 @@ impl<'a> Reductions<'a> {
     pub(super) fn begin(&self, (first, points): (u64, usize), reducer: &mut Reducer) {
         reducer.first = first;
         let parts = self.plan.groupings.iter().zip(&self.parts);
-        let parts = parts.filter(|(grouping, _)| !grouping.reduces_inner_axis());
+        let parts = parts.filter(|(grouping, _)| !grouping.takes_blocks(&self.plan.space));
         for (number, (grouping, part)) in parts.enumerate() {
             let start = grouping.start(part, &self.plan.space, first);
             for (quantity, cells) in part.cells.iter().enumerate() {
@@ -269,14 +279,14 @@ impl<'a> Reductions<'a> {
         }
     }
 
-    /// Takes what came of these points.
-    pub(super) fn end(&mut self, (first, points): (u64, usize), reducer: &mut Reducer) {
+    /// Takes what came of them.
+    pub(super) fn end(&mut self, first: u64, reducer: &mut Reducer) {
         let parts = self.plan.groupings.iter().zip(&mut self.parts);
         let mut number = 0;
         for (grouping, part) in parts {
             let start = grouping.start(part, &self.plan.space, first);
             let statistic = grouping.reduction.statistic;
-            if grouping.reduces_inner_axis() {
+            if grouping.takes_blocks(&self.plan.space) {
                 for (quantity, cells) in part.cells.iter_mut().enumerate() {
                     if let Some(summary) = reducer.summary(quantity) {
                         cells.take(statistic, start, first, (summary, reducer.wanted()));
@@ -286,7 +296,12 @@ impl<'a> Reductions<'a> {
             }
             for (quantity, cells) in part.cells.iter_mut().enumerate() {
                 if let Some(accumulator) = reducer.accumulators(quantity).get(number) {
-                    cells.end(start..start + points * grouping.width, accumulator);
+                    let stride = if grouping.reduces_inner_axis() {
+                        0
+                    } else {
+                        grouping.width
+                    };
+                    cells.end(start, stride, accumulator);
                 }
             }
             number += 1;
@@ -307,13 +322,16 @@ impl<'a> Reductions<'a> {
     /// All of it as bytes, to go on from later with [`Plan::reduce_from`](super::Plan::reduce_from).
     pub fn to_bytes(&self) -> Vec<u8> {
         let cells = self.parts.iter().flat_map(|part| &part.cells);
-        cells.flat_map(Cells::to_bytes).collect()
+        let cells = cells.flat_map(Cells::to_bytes);
+        std::iter::once(LAYOUT).chain(cells).collect()
     }
 
     /// What [`Reductions::to_bytes`] wrote, for the same plan.
     pub(super) fn from_bytes(plan: &'a Plan, bytes: &[u8]) -> Result<Self, ScanError> {
         let mut reductions = Self::of_all(plan);
-        let mut rest = bytes;
+        let Some((&LAYOUT, mut rest)) = bytes.split_first() else {
+            return Err(ScanError::ForeignState);
+        };
         for cells in reductions.parts.iter_mut().flat_map(|part| &mut part.cells) {
             rest = cells.read(rest).ok_or(ScanError::ForeignState)?;
         }

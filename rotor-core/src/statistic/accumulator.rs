@@ -5,7 +5,8 @@ use lanes::{LONGEST, Pack, Simd};
 use super::summary::{Gaps, above, numbered, present, without_gaps};
 use super::{Bins, Statistic};
 
-/// A statistic of every row of a block of numbers. It takes them in packs; rows beyond the last are never read.
+/// A statistic of every row of a block of numbers. It takes them in packs, and has room for those beyond the last row, which
+/// mean nothing.
 #[derive(Clone, Debug)]
 pub(crate) struct Accumulator {
     statistic: Statistic,

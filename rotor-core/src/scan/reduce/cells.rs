@@ -67,23 +67,23 @@ impl Cells {
         accumulator.resume(values, self.numbers.get(rows).unwrap_or_default());
     }
 
-    /// Takes what an accumulator has of its rows, which have these cells.
-    pub(super) fn end(&mut self, cells: Range<usize>, accumulator: &Accumulator) {
+    /// Takes what an accumulator has of its rows; the first cells of a row are `stride` beyond those of the row before.
+    pub(super) fn end(&mut self, start: usize, stride: usize, accumulator: &Accumulator) {
         let [kept, numbers] = accumulator.kept();
-        let (Some(values), Some(counts)) = (
-            self.values.get_mut(cells.clone()),
-            self.numbers.get_mut(cells),
-        ) else {
-            return;
-        };
-        let Statistic::Histogram { bins, .. } = accumulator.statistic() else {
-            values.copy_from_slice(kept);
-            return counts.copy_from_slice(numbers);
-        };
-        for (counts, bin) in counts.chunks_mut(bins as usize + 2).zip(numbers) {
-            if !bin.is_nan() {
-                counts[*bin as usize] += 1.0;
+        if let Statistic::Histogram { .. } = accumulator.statistic() {
+            for (row, bin) in numbers.iter().enumerate().filter(|(_, bin)| !bin.is_nan()) {
+                if let Some(count) = self.numbers.get_mut(start + row * stride + *bin as usize) {
+                    *count += 1.0;
+                }
             }
+            return;
+        }
+        let cells = start..start + kept.len();
+        if let Some(values) = self.values.get_mut(cells.clone()) {
+            values.copy_from_slice(kept);
+        }
+        if let Some(counts) = self.numbers.get_mut(cells) {
+            counts.copy_from_slice(numbers);
         }
     }
 
@@ -172,5 +172,70 @@ impl Cells {
             *number = f64::from_le_bytes(*bytes);
         }
         Some(rest)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Cells of two groups with these values and numbers.
+    fn cells(values: [f64; 2], numbers: [f64; 2]) -> Cells {
+        let (values, numbers) = (values.into(), numbers.into());
+        Cells { values, numbers }
+    }
+
+    #[test]
+    fn later_points_are_merged_where_they_belong() {
+        let later = Cells {
+            values: vec![3.0],
+            numbers: vec![7.0],
+        };
+        for (statistic, expected) in [
+            (Statistic::Maximum, (3.0, 7.0)),
+            (Statistic::ArgMaximum, (3.0, 7.0)),
+            (Statistic::Minimum, (2.0, 5.0)),
+            (Statistic::ArgMinimum, (2.0, 5.0)),
+            (Statistic::Mean, (5.0, 12.0)),
+            (Statistic::CountAbove(0.0), (5.0, 12.0)),
+        ] {
+            let mut kept = cells([1.0, 2.0], [4.0, 5.0]);
+            kept.merge(statistic, 1, &later);
+            assert_eq!(
+                kept,
+                cells([1.0, expected.0], [4.0, expected.1]),
+                "{statistic}"
+            );
+        }
+        // Of equal values the first one stays.
+        let mut kept = cells([1.0, 3.0], [4.0, 5.0]);
+        kept.merge(Statistic::ArgMaximum, 1, &later);
+        assert_eq!(kept, cells([1.0, 3.0], [4.0, 5.0]));
+    }
+
+    #[test]
+    fn a_group_of_nothing_has_no_value_and_the_count_zero() {
+        for (statistic, expected) in [
+            (Statistic::Maximum, None),
+            (Statistic::Minimum, None),
+            (Statistic::Mean, None),
+            (Statistic::CountAbove(0.0), Some(0.0)),
+        ] {
+            let cell = Cells::empty(statistic, 1)
+                .range(0..1)
+                .and_then(|mut cells| cells.next());
+            assert_eq!(cell.and_then(|cell| cell.value(statistic)), expected);
+        }
+    }
+
+    #[test]
+    fn bytes_are_read_back_and_what_follows_is_left() {
+        let written = cells([0.1, f64::NEG_INFINITY], [9_007_199_254_740_992.0, 3.0]);
+        let mut bytes: Vec<u8> = written.to_bytes().collect();
+        bytes.push(17);
+        let mut read = Cells::empty(Statistic::Mean, 2);
+        assert_eq!(read.read(&bytes), Some(&[17_u8][..]));
+        assert_eq!(read, written);
+        assert_eq!(read.read(&bytes[..20]), None);
     }
 }
