@@ -5,8 +5,9 @@
 //! inputs, [`Kernel::evaluate`] where its numbers are wanted, or [`Kernel::reduce`] where what reductions keep of them is.
 //!
 //! Both run generated code in packs, equation by equation ([`chain`]) up to the last loop ([`quantities`]), whose numbers go
-//! where they are wanted ([`destination`]); in that loop are iterations too ([`iteration`]), point by point. Whatever this leaves open is computed point by point: points at which a region may
-//! not exist, and inputs far from those of any machine.
+//! where they are wanted ([`destination`]); what has no closed form is iterated there, point by point ([`iteration`]). Points that
+//! this leaves open are computed one by one: those at which a region may not exist, or with inputs far from those of any
+//! machine.
 
 mod chain;
 mod destination;
@@ -88,7 +89,7 @@ pub(crate) struct Kernel<'a> {
     last: Option<(RotorParameters, bool)>,
     /// Of a row's points those that are known.
     known: Vec<bool>,
-    /// The quantities of a row that is reduced from them.
+    /// The quantities of a row that is reduced from its columns.
     columns: Vec<Vec<f64>>,
 }
 

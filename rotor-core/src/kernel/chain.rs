@@ -37,7 +37,7 @@ impl Trust {
 /// The stages of a block, or of a row where no coefficient varies along it.
 #[derive(Clone, Debug)]
 pub(super) struct Chain {
-    rows: usize,
+    points: usize,
     varied: Inputs,
     depends: [Inputs; Stage::ALL.len()],
     stale: [bool; Stage::ALL.len()],
@@ -63,7 +63,7 @@ pub(super) struct Chain {
 impl Chain {
     /// Of so many points at which these inputs vary, in columns; where there are none, nothing may depend on what varies.
     pub(super) fn new(
-        rows: usize,
+        points: usize,
         varied: &[&'static NumericInput],
         columns: Option<&[&[f64]]>,
     ) -> Self {
@@ -73,7 +73,7 @@ impl Chain {
             Some(List::of(columns?.get(position)?.to_vec()))
         };
         Self {
-            rows,
+            points,
             varied: inputs(&names),
             depends: *DEPENDS,
             stale: [true; Stage::ALL.len()],
@@ -137,7 +137,7 @@ impl Chain {
                 let row = self.row?;
                 alone(self, &row);
             } else {
-                along(self, self.rows)?;
+                along(self, self.points)?;
             }
             self.stale[stage as usize] = false;
         }
@@ -177,19 +177,19 @@ impl Chain {
     }
 
     fn trust_inertia(&mut self, combination: bool) -> Option<()> {
-        let check = |chain: &mut Self, rows| {
+        let check = |chain: &mut Self, points| {
             let [_, diametral, polar, ..] = &mut chain.inputs;
             let [trust, ..] = &mut chain.trust;
-            trust.renew(rows);
-            let ratios = polar.spread(rows).iter().zip(diametral.spread(rows));
+            trust.renew(points);
+            let ratios = polar.spread(points).iter().zip(diametral.spread(points));
             for (point, (polar, diametral)) in trust.points.iter_mut().zip(ratios) {
                 let most = 2.0 * diametral;
                 *point = polar < &most || !combination && polar == &most;
                 trust.all &= *point;
             }
         };
-        let along = |chain: &mut Self, rows| {
-            check(chain, rows);
+        let along = |chain: &mut Self, points| {
+            check(chain, points);
             Some(())
         };
         self.renew(Stage::Inertia, |chain, _| check(chain, 1), along)

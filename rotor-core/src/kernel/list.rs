@@ -50,11 +50,11 @@ impl List {
     }
 
     /// The numbers of so many points: those of a column, or as many of the one that all have.
-    pub(super) fn spread(&mut self, rows: usize) -> &[f64] {
-        if self.is_same && self.values.len() < rows {
-            self.values.resize(rows, self.number());
+    pub(super) fn spread(&mut self, points: usize) -> &[f64] {
+        if self.is_same && self.values.len() < points {
+            self.values.resize(points, self.number());
         }
-        self.values.get(..rows).unwrap_or_default()
+        self.values.get(..points).unwrap_or_default()
     }
 
     /// Marks points false whose numbers do not pass a test; whether all do.
@@ -93,9 +93,9 @@ pub(super) fn require(values: &[f64], points: &mut [bool], test: &Test) -> bool 
 /// The numbers of so many points, of each list.
 pub(super) fn columns<const COUNT: usize>(
     lists: &mut [List; COUNT],
-    rows: usize,
+    points: usize,
 ) -> [&[f64]; COUNT] {
-    lists.each_mut().map(|list| list.spread(rows))
+    lists.each_mut().map(|list| list.spread(points))
 }
 
 /// A number for all points in each list.
@@ -108,11 +108,11 @@ pub(super) fn set<const COUNT: usize>(lists: &mut [List; COUNT], numbers: [f64; 
 /// The lists for a kernel to write to.
 pub(super) fn written<const COUNT: usize>(
     lists: &mut [List; COUNT],
-    rows: usize,
+    points: usize,
 ) -> [&mut [f64]; COUNT] {
     lists.each_mut().map(|list| {
         list.is_same = false;
-        list.values.resize(rows, f64::NAN);
+        list.values.resize(points, f64::NAN);
         list.values.as_mut_slice()
     })
 }

@@ -335,9 +335,9 @@ impl Row<'_> {
         to: &mut D,
     ) -> Option<()> {
         use along_compliance::{FIXED, Points, TABLES};
-        let rows = self.any.len();
+        let points = self.any.len();
         let (fixed, lists) = self.chain.crack()?;
-        to.pair::<Points, Positive, FIXED, TABLES>(places, &fixed, columns(lists, rows))
+        to.pair::<Points, Positive, FIXED, TABLES>(places, &fixed, columns(lists, points))
     }
 
     /// The coefficients of the first point.

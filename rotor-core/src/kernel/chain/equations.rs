@@ -24,17 +24,17 @@ impl Chain {
             let c = crack_compliance::value(row, row.crack_edge.factor());
             set(&mut chain.compliance, [c.c11, c.c22, c.c33, c.c44]);
         };
-        self.renew(Stage::Compliance, alone, |chain, rows| {
+        self.renew(Stage::Compliance, alone, |chain, points| {
             let [_, _, _, _, _, _, inputs @ .., _, _] = &mut chain.inputs;
-            let [radius, modulus, poisson, depth] = columns(inputs, rows);
+            let [radius, modulus, poisson, depth] = columns(inputs, points);
             let inputs = crack_compliance::Columns {
                 p_shaft_radius: radius,
                 p_shaft_youngs_modulus: modulus,
                 p_shaft_poissons_ratio: poisson,
                 p_crack_depth_ratio: depth,
-                edge_factor: chain.edge_factor.spread(rows),
+                edge_factor: chain.edge_factor.spread(points),
             };
-            crack_compliance::columns(&inputs, written(&mut chain.compliance, rows)).ok()
+            crack_compliance::columns(&inputs, written(&mut chain.compliance, points)).ok()
         })?;
         Some(&mut self.compliance)
     }
@@ -51,13 +51,13 @@ impl Chain {
             ];
             set(&mut chain.loads, numbers);
         };
-        self.renew(Stage::Loads, alone, |chain, rows| {
+        self.renew(Stage::Loads, alone, |chain, points| {
             let [_, _, _, _, disk, length, _, _, _, _, crack, _] = &mut chain.inputs;
-            let [disk, length, crack] = [disk, length, crack].map(|list| list.spread(rows));
+            let [disk, length, crack] = [disk, length, crack].map(|list| list.spread(points));
             // Each formula takes the inputs that it has.
             macro_rules! loads {
                 ($formula:ident, $lists:expr $(, $field:ident: $list:ident)*) => {
-                    $formula::columns(&$formula::Columns { $($field: $list),* }, written($lists, rows))
+                    $formula::columns(&$formula::Columns { $($field: $list),* }, written($lists, points))
                         .ok()?
                 };
             }
@@ -106,16 +106,16 @@ impl Chain {
             set(&mut chain.stiffness, numbers);
             chain.check_stiffness(1);
         };
-        self.renew(Stage::Stiffness, alone, |chain, rows| {
+        self.renew(Stage::Stiffness, alone, |chain, points| {
             let [_, _, _, _, inputs @ .., _, _, _, _] = &mut chain.inputs;
-            let [disk, length, radius, modulus] = columns(inputs, rows);
+            let [disk, length, radius, modulus] = columns(inputs, points);
             let [
                 moment_of_force,
                 shear_of_force,
                 moment_of_couple,
                 shear_of_couple,
-            ] = columns(&mut chain.loads, rows);
-            let [c11, c22, c33, c44] = columns(&mut chain.compliance, rows);
+            ] = columns(&mut chain.loads, points);
+            let [c11, c22, c33, c44] = columns(&mut chain.compliance, points);
             let inputs = stiffness::Columns {
                 p_disk_position_ratio: disk,
                 p_shaft_length: length,
@@ -130,8 +130,8 @@ impl Chain {
                 c_c33: c33,
                 c_c44: c44,
             };
-            stiffness::columns(&inputs, written(&mut chain.stiffness, rows)).ok()?;
-            chain.check_stiffness(rows);
+            stiffness::columns(&inputs, written(&mut chain.stiffness, points)).ok()?;
+            chain.check_stiffness(points);
             Some(())
         })
     }
@@ -154,9 +154,9 @@ impl Chain {
         (loads, CrackCompliance { c11, c22, c33, c44 })
     }
 
-    fn check_stiffness(&mut self, rows: usize) {
+    fn check_stiffness(&mut self, points: usize) {
         let [_, trust, _] = &mut self.trust;
-        trust.renew(rows);
+        trust.renew(points);
         let [k_tt, k_tm, k_mm, delta_k_tt, delta_k_tm, delta_k_mm] = &self.stiffness;
         for list in [k_tt, k_mm] {
             trust.require(list, &SIZES);
@@ -172,11 +172,11 @@ impl Chain {
         self.renew(
             Stage::Coefficients,
             Self::coefficients_of_all,
-            |chain, rows| {
+            |chain, points| {
                 let [inputs @ .., _, _, _, _, _, _, _, _, _] = &mut chain.inputs;
-                let [mass, diametral, polar] = columns(inputs, rows);
+                let [mass, diametral, polar] = columns(inputs, points);
                 let [k_tt, k_tm, k_mm, delta_k_tt, delta_k_tm, delta_k_mm] =
-                    columns(&mut chain.stiffness, rows);
+                    columns(&mut chain.stiffness, points);
                 let inputs = coefficients::Columns {
                     p_disk_mass: mass,
                     p_disk_diametral_inertia: diametral,
@@ -192,7 +192,7 @@ impl Chain {
                     k_delta_k_mm: delta_k_mm,
                 };
                 let [beta, gamma, delta, epsilon_1, epsilon_12, epsilon_2] =
-                    written(&mut chain.coefficients, rows);
+                    written(&mut chain.coefficients, points);
                 let results = [
                     beta,
                     gamma,
@@ -210,7 +210,7 @@ impl Chain {
                     results,
                 )
                 .ok()?;
-                chain.check_coefficients(rows);
+                chain.check_coefficients(points);
                 Some(())
             },
         )?;
@@ -242,9 +242,9 @@ impl Chain {
         self.check_coefficients(1);
     }
 
-    fn check_coefficients(&mut self, rows: usize) {
+    fn check_coefficients(&mut self, points: usize) {
         let [.., trust] = &mut self.trust;
-        trust.renew(rows);
+        trust.renew(points);
         let [_, gamma, delta, epsilons @ ..] = &self.coefficients;
         // Without coupling some are limits.
         trust.require(gamma, &NONZERO);
@@ -260,9 +260,9 @@ impl Chain {
     ) -> Option<([f64; crack::FIXED], &mut [List; crack::TABLES])> {
         self.compliance()?;
         self.loads()?;
-        self.renew(Stage::Crack, not_along, |chain, rows| {
-            let inner = columns(&mut chain.compliance, rows);
-            let tables = written(&mut chain.crack, rows);
+        self.renew(Stage::Crack, not_along, |chain, points| {
+            let inner = columns(&mut chain.compliance, points);
+            let tables = written(&mut chain.crack, points);
             store::<crack::Along, ALL, 0, 4, { crack::TABLES }>(Level::best(), &[], inner, tables)
                 .ok()
         })?;
@@ -274,9 +274,9 @@ impl Chain {
     /// What both widths take from the coefficients at each point, where these vary, but for the asymmetry and the angle.
     pub(in super::super) fn regions(&mut self) -> Option<&mut [List; regions::TABLES]> {
         self.coefficients()?;
-        self.renew(Stage::Regions, not_along, |chain, rows| {
-            let inner = columns(&mut chain.coefficients, rows);
-            let tables = written(&mut chain.regions, rows);
+        self.renew(Stage::Regions, not_along, |chain, points| {
+            let inner = columns(&mut chain.coefficients, points);
+            let tables = written(&mut chain.regions, points);
             store::<regions::Along, ALL, 0, 6, { regions::TABLES }>(
                 Level::best(),
                 &[],
