@@ -53,6 +53,19 @@ impl Statistic {
         }
     }
 
+    /// The ends of a histogram's bins, one more than there are bins; empty for other statistics.
+    pub fn bin_ends(&self) -> Vec<f64> {
+        let &Self::Histogram { low, high, bins } = self else {
+            return Vec::new();
+        };
+        let share = |end| f64::from(end) / f64::from(bins);
+        let mut ends: Vec<_> = (0..bins)
+            .map(|end| low + (high - low) * share(end))
+            .collect();
+        ends.push(high);
+        ends
+    }
+
     /// Whether the point at which the value lies is a part of the answer.
     pub const fn locates(&self) -> bool {
         matches!(self, Self::ArgMaximum | Self::ArgMinimum)
@@ -91,11 +104,14 @@ impl Bins {
     #[inline(always)]
     fn places_of<S: Simd, G: Gaps>(self, value: Pack<S>) -> Pack<S> {
         let simd = value.simd();
-        let count = f64::from(self.count);
+        let (count, width) = (f64::from(self.count), self.high - self.low);
         let (low, high) = (Pack::splat(simd, self.low), Pack::splat(simd, self.high));
-        let share = (value - low) / (self.high - self.low);
-        // Rounding may lead past the last bin, whose upper end belongs to it.
-        let bin = (share * count).floor().min(Pack::splat(simd, count - 1.0)) + 1.0;
+        let last = Pack::splat(simd, count - 1.0);
+        let bin = ((value - low) / width * count).floor().min(last);
+        // Rounding may lead past the ends of a bin, as `Statistic::bin_ends` has them.
+        let (lower, upper) = (low + bin / count * width, low + (bin + 1.0) / count * width);
+        let settled = lower.select_le(value, bin, bin - 1.0);
+        let bin = upper.select_le(value, bin + 1.0, settled).min(last) + 1.0;
         let bin = low.select_le(value, bin, Pack::splat(simd, 0.0));
         let bin = value.select_le(high, bin, Pack::splat(simd, count + 1.0));
         if !G::HAS_GAPS {
@@ -137,6 +153,22 @@ mod tests {
 
         fn end<S: Simd>(&self, places: Vec<f64>) -> Vec<f64> {
             places
+        }
+    }
+
+    #[test]
+    fn every_end_is_in_the_bin_that_begins_there() {
+        for (low, high, bins) in [(0.0, 1.0, 100), (-0.3, 0.7, 77), (1e-3, 0.1, 1000)] {
+            let ends = Statistic::Histogram { low, high, bins }.bin_ends();
+            let count = bins;
+            let mut places = Places(Bins { low, high, count });
+            let level = Level::best();
+            let found = fold::<Itself, _, 0, 1, 1>(level, &[], [&ends], &mut places).unwrap();
+            let expected = (1..=bins).chain([bins]).map(f64::from);
+            assert_eq!(found, expected.collect::<Vec<_>>());
+            let below: Vec<_> = ends.iter().map(|end| end.next_down()).collect();
+            let found = fold::<Itself, _, 0, 1, 1>(level, &[], [&below], &mut places).unwrap();
+            assert_eq!(found, (0..=bins).map(f64::from).collect::<Vec<_>>());
         }
     }
 

@@ -99,14 +99,16 @@ fn assert_group(reduced: &Reduced, quantity: usize, group: u64, points: &[(u64, 
             assert_eq!(value, Some(above as f64), "{name}");
         }
         Statistic::Histogram { low, high, bins } => {
+            let ends = reduced.reduction().statistic().bin_ends();
             let mut expected = vec![0; bins as usize + 2];
             for value in values {
-                let place = match (value - low) / (high - low) * f64::from(bins) {
+                let place = match ends.partition_point(|end| *end <= value) {
                     _ if value < low => 0,
-                    _ if value > high => bins + 1,
-                    place => (place as u32).min(bins - 1) + 1,
+                    _ if value > high => bins as usize + 1,
+                    // The last one has both of its ends.
+                    begun => begun.min(bins as usize),
                 };
-                expected[place as usize] += 1;
+                expected[place] += 1;
             }
             assert_eq!(reduced.histogram(quantity, group), expected, "{name}");
         }

@@ -157,16 +157,14 @@ fn bins(plan: &Plan, reduced: &Reduced, group: u64) -> Vec<Vec<Cell>> {
 
 /// Both ends of each cell of a histogram: below all bins, each bin, above all bins.
 fn bin_ends(statistic: &Statistic) -> Vec<(Option<f64>, Option<f64>)> {
-    let &Statistic::Histogram { low, high, bins } = statistic else {
+    let ends = statistic.bin_ends();
+    let (Some(low), Some(high)) = (ends.first(), ends.last()) else {
         return Vec::new();
     };
-    let edge = |index: u32| low + (high - low) * (f64::from(index) / f64::from(bins));
-    let within = (0..bins).map(|bin| (Some(edge(bin)), Some(edge(bin + 1))));
-    let below = std::iter::once((None, Some(low)));
-    below
-        .chain(within)
-        .chain(std::iter::once((Some(high), None)))
-        .collect()
+    let within = ends.windows(2).map(|ends| (Some(ends[0]), Some(ends[1])));
+    let below = std::iter::once((None, Some(*low)));
+    let above = std::iter::once((Some(*high), None));
+    below.chain(within).chain(above).collect()
 }
 
 /// The long table: one row for each reduction, quantity, group and bin.

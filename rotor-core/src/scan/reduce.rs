@@ -24,7 +24,7 @@ pub const MOST_RESULTS: u64 = 1 << 21;
 pub const MOST_BINS: u32 = 1 << 16;
 
 /// How a state is laid out; another number where that changes.
-const LAYOUT: u8 = 2;
+const LAYOUT: u8 = 3;
 
 /// Refuses thresholds and bins that are none.
 fn check(statistic: Statistic) -> Result<(), ScanError> {

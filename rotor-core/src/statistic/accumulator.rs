@@ -15,6 +15,8 @@ pub(crate) struct Accumulator {
     values: Vec<f64>,
     /// The points of these, or how many numbers there were; of a histogram the bins in which the last ones are.
     numbers: Vec<f64>,
+    /// What rounding has taken from the sums.
+    rests: Vec<f64>,
 }
 
 impl Accumulator {
@@ -25,6 +27,7 @@ impl Accumulator {
             rows: 0,
             values: Vec::new(),
             numbers: Vec::new(),
+            rests: Vec::new(),
         }
     }
 
@@ -33,26 +36,27 @@ impl Accumulator {
         self.statistic
     }
 
-    /// Goes on from what was kept of these rows.
-    pub(crate) fn resume(&mut self, values: &[f64], numbers: &[f64]) {
-        self.rows = values.len();
-        for (list, kept) in [(&mut self.values, values), (&mut self.numbers, numbers)] {
-            list.resize(kept.len().next_multiple_of(LONGEST), 0.0);
+    /// Goes on from what was kept of these rows: values, numbers and rests.
+    pub(crate) fn resume(&mut self, kept: [&[f64]; 3]) {
+        let [values, ..] = kept;
+        self.resize(values.len());
+        let lists = [&mut self.values, &mut self.numbers, &mut self.rests];
+        for (list, kept) in lists.into_iter().zip(kept) {
             list[..kept.len()].copy_from_slice(kept);
         }
     }
 
-    /// Makes room for so many rows of which nothing is kept from one column to the next, as of a histogram.
+    /// Makes room for so many rows, of which nothing is kept from one column to the next, as of a histogram.
     pub(crate) fn resize(&mut self, rows: usize) {
         self.rows = rows;
-        for list in [&mut self.values, &mut self.numbers] {
+        for list in [&mut self.values, &mut self.numbers, &mut self.rests] {
             list.resize(rows.next_multiple_of(LONGEST), 0.0);
         }
     }
 
-    /// What is kept of the rows: values and numbers.
-    pub(crate) fn kept(&self) -> [&[f64]; 2] {
-        [&self.values[..self.rows], &self.numbers[..self.rows]]
+    /// What is kept of the rows: values, numbers and rests.
+    pub(crate) fn kept(&self) -> [&[f64]; 3] {
+        [&self.values, &self.numbers, &self.rests].map(|list| &list[..self.rows])
     }
 
     /// Takes the numbers of a pack of rows from `first` on, of which the first is that of the point `point`. What is NaN
@@ -61,7 +65,10 @@ impl Accumulator {
     pub(super) fn take<S: Simd, G: Gaps>(&mut self, first: usize, point: f64, value: Pack<S>) {
         let simd = value.simd();
         let rows = first..first + Pack::<S>::LENGTH;
-        let (values, numbers) = (&mut self.values[rows.clone()], &mut self.numbers[rows]);
+        let (values, numbers) = (
+            &mut self.values[rows.clone()],
+            &mut self.numbers[rows.clone()],
+        );
         // Not as an array: its adapters are functions of their own.
         let (kept, number) = (Pack::load(simd, values), Pack::load(simd, numbers));
         match self.statistic {
@@ -80,7 +87,14 @@ impl Accumulator {
                 kept.min(value).store(values);
             }
             Statistic::Mean => {
-                (kept + without_gaps::<S, G>(value, 0.0)).store(values);
+                let rests = &mut self.rests[rows];
+                let term = without_gaps::<S, G>(value, 0.0);
+                // What the sum has lost by rounding, whichever is the larger of both (Knuth).
+                let sum = kept + term;
+                let taken = sum - kept;
+                let lost = (kept - (sum - taken)) + (term - taken);
+                sum.store(values);
+                (Pack::load(simd, rests) + lost).store(rests);
                 (number + present(value)).store(numbers);
             }
             Statistic::CountAbove(threshold) => {

@@ -333,7 +333,8 @@ mod tests {
                 for place in 0..2 {
                     for accumulator in reducer.accumulators(place) {
                         let value = empty(&accumulator.statistic());
-                        accumulator.resume(&vec![value; length], &vec![0.0; length]);
+                        let zeros = vec![0.0; length];
+                        accumulator.resume([&vec![value; length], &zeros, &zeros]);
                     }
                 }
                 for (number, values) in columns.iter().enumerate() {
@@ -363,7 +364,8 @@ mod tests {
             column.map_or(0, |column| 100 * column + row) as f64
         };
         for accumulator in accumulators {
-            let [kept, number] = accumulator.kept().map(|kept| kept[row]);
+            let [kept, number, rest] = accumulator.kept().map(|kept| kept[row]);
+            assert_eq!(rest, 0.0, "these sums are exact");
             match accumulator.statistic() {
                 Statistic::Maximum => assert_eq!(kept, extremes.greatest),
                 Statistic::Minimum => assert_eq!(kept, extremes.least),

@@ -12,6 +12,8 @@ pub(super) struct Cell {
     value: f64,
     /// The point of that value, or how many values there are.
     pub(super) number: u64,
+    /// What rounding has taken from the sum.
+    rest: f64,
 }
 
 impl Cell {
@@ -19,19 +21,30 @@ impl Cell {
     pub(super) fn value(&self, statistic: Statistic) -> Option<f64> {
         match statistic {
             Statistic::CountAbove(_) | Statistic::Histogram { .. } => Some(self.number as f64),
-            Statistic::Mean => (self.number > 0).then(|| self.value / self.number as f64),
+            Statistic::Mean => {
+                (self.number > 0).then(|| (self.value + self.rest) / self.number as f64)
+            }
             // Quantities are finite: an infinity is what it was in the beginning. A zero has no sign.
             _ => self.value.is_finite().then_some(self.value + 0.0),
         }
     }
 }
 
-/// Cells, one after the other, in two columns. Whole numbers are kept as they are computed with: there are no more than 2^53
+/// Cells, one after the other, in three columns. Whole numbers are kept as they are computed with: there are no more than 2^53
 /// points.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Cells {
     values: Vec<f64>,
     numbers: Vec<f64>,
+    rests: Vec<f64>,
+}
+
+/// Adds to a sum, and what that loses by rounding to its rest, whichever is the larger of both (Knuth).
+fn add((sum, rest): (&mut f64, &mut f64), term: f64) {
+    let next = *sum + term;
+    let taken = next - *sum;
+    *rest += (*sum - (next - taken)) + (term - taken);
+    *sum = next;
 }
 
 impl Cells {
@@ -45,16 +58,21 @@ impl Cells {
         Self {
             values: vec![value; count],
             numbers: vec![0.0; count],
+            rests: vec![0.0; count],
         }
     }
 
     /// The cells of a range.
     pub(super) fn range(&self, range: Range<usize>) -> Option<impl Iterator<Item = Cell>> {
-        let numbers = self.numbers.get(range.clone())?;
-        let cells = self.values.get(range)?.iter().zip(numbers);
-        Some(cells.map(|(value, number)| Cell {
+        let (numbers, rests) = (
+            self.numbers.get(range.clone())?,
+            self.rests.get(range.clone())?,
+        );
+        let cells = self.values.get(range)?.iter().zip(numbers).zip(rests);
+        Some(cells.map(|((value, number), rest)| Cell {
             value: *value,
             number: *number as u64,
+            rest: *rest,
         }))
     }
 
@@ -63,13 +81,14 @@ impl Cells {
         if let Statistic::Histogram { .. } = accumulator.statistic() {
             return accumulator.resize(rows.len());
         }
-        let values = self.values.get(rows.clone()).unwrap_or_default();
-        accumulator.resume(values, self.numbers.get(rows).unwrap_or_default());
+        let columns = [&self.values, &self.numbers, &self.rests];
+        accumulator.resume(columns.map(|column| column.get(rows.clone()).unwrap_or_default()));
     }
 
     /// Takes what an accumulator has of its rows; the first cells of a row are `stride` beyond those of the row before.
     pub(super) fn end(&mut self, start: usize, stride: usize, accumulator: &Accumulator) {
-        let [kept, numbers] = accumulator.kept();
+        let kept = accumulator.kept();
+        let [values, numbers, _] = kept;
         if let Statistic::Histogram { .. } = accumulator.statistic() {
             for (row, bin) in numbers.iter().enumerate().filter(|(_, bin)| !bin.is_nan()) {
                 if let Some(count) = self.numbers.get_mut(start + row * stride + *bin as usize) {
@@ -78,12 +97,12 @@ impl Cells {
             }
             return;
         }
-        let cells = start..start + kept.len();
-        if let Some(values) = self.values.get_mut(cells.clone()) {
-            values.copy_from_slice(kept);
-        }
-        if let Some(counts) = self.numbers.get_mut(cells) {
-            counts.copy_from_slice(numbers);
+        let cells = start..start + values.len();
+        let columns = [&mut self.values, &mut self.numbers, &mut self.rests];
+        for (column, kept) in columns.into_iter().zip(kept) {
+            if let Some(column) = column.get_mut(cells.clone()) {
+                column.copy_from_slice(kept);
+            }
         }
     }
 
@@ -96,7 +115,11 @@ impl Cells {
         (summary, wanted): (&Summary, &Wanted),
     ) {
         let numbers = self.numbers.get_mut(start..).unwrap_or_default();
-        let (Some(value), Some(number)) = (self.values.get_mut(start), numbers.first_mut()) else {
+        let (Some(value), Some(number), Some(rest)) = (
+            self.values.get_mut(start),
+            numbers.first_mut(),
+            self.rests.get_mut(start),
+        ) else {
             return;
         };
         let Extremes {
@@ -116,7 +139,7 @@ impl Cells {
                 }
             }
             Statistic::Mean => {
-                *value += summary.sum;
+                add((value, rest), summary.sum);
                 *number += summary.present as f64;
             }
             Statistic::CountAbove(threshold) => {
@@ -140,14 +163,16 @@ impl Cells {
     pub(super) fn merge(&mut self, statistic: Statistic, start: usize, later: &Self) {
         let values = self.values.get_mut(start..).unwrap_or_default();
         let numbers = self.numbers.get_mut(start..).unwrap_or_default();
-        let cells = values.iter_mut().zip(numbers);
-        let later = later.values.iter().zip(&later.numbers);
-        for ((value, number), (later, of_later)) in cells.zip(later) {
+        let rests = self.rests.get_mut(start..).unwrap_or_default();
+        let cells = values.iter_mut().zip(numbers).zip(rests);
+        let later = later.values.iter().zip(&later.numbers).zip(&later.rests);
+        for (((value, number), rest), ((later, of_later), lost)) in cells.zip(later) {
             let is_better = match statistic {
                 Statistic::Maximum | Statistic::ArgMaximum => later > value,
                 Statistic::Minimum | Statistic::ArgMinimum => later < value,
                 Statistic::Mean | Statistic::CountAbove(_) | Statistic::Histogram { .. } => {
-                    *value += later;
+                    add((value, rest), *later);
+                    *rest += lost;
                     *number += of_later;
                     continue;
                 }
@@ -159,15 +184,16 @@ impl Cells {
     }
 
     pub(super) fn to_bytes(&self) -> impl Iterator<Item = u8> {
-        let numbers = self.values.iter().chain(&self.numbers);
+        let numbers = self.values.iter().chain(&self.numbers).chain(&self.rests);
         numbers.flat_map(|number| number.to_le_bytes())
     }
 
     /// Reads what [`Cells::to_bytes`] wrote of as many; what is left of the bytes. None where there are too few.
     pub(super) fn read<'a>(&mut self, bytes: &'a [u8]) -> Option<&'a [u8]> {
-        let length = 8 * (self.values.len() + self.numbers.len());
+        let length = 8 * (self.values.len() + self.numbers.len() + self.rests.len());
         let (own, rest) = bytes.split_at_checked(length)?;
         let numbers = self.values.iter_mut().chain(&mut self.numbers);
+        let numbers = numbers.chain(&mut self.rests);
         for (number, bytes) in numbers.zip(own.as_chunks::<8>().0) {
             *number = f64::from_le_bytes(*bytes);
         }
@@ -182,7 +208,12 @@ mod tests {
     /// Cells of two groups with these values and numbers.
     fn cells(values: [f64; 2], numbers: [f64; 2]) -> Cells {
         let (values, numbers) = (values.into(), numbers.into());
-        Cells { values, numbers }
+        let rests = vec![0.0; 2];
+        Cells {
+            values,
+            numbers,
+            rests,
+        }
     }
 
     #[test]
@@ -190,6 +221,7 @@ mod tests {
         let later = Cells {
             values: vec![3.0],
             numbers: vec![7.0],
+            rests: vec![0.0],
         };
         for (statistic, expected) in [
             (Statistic::Maximum, (3.0, 7.0)),
@@ -211,6 +243,15 @@ mod tests {
         let mut kept = cells([1.0, 3.0], [4.0, 5.0]);
         kept.merge(Statistic::ArgMaximum, 1, &later);
         assert_eq!(kept, cells([1.0, 3.0], [4.0, 5.0]));
+    }
+
+    #[test]
+    fn a_sum_of_many_parts_keeps_its_digits() {
+        let mut sum = (0.0, 0.0);
+        for _ in 0..1_000_000 {
+            add((&mut sum.0, &mut sum.1), 0.1);
+        }
+        assert_eq!(sum.0 + sum.1, 100_000.0);
     }
 
     #[test]
