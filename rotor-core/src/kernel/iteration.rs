@@ -56,8 +56,8 @@ fn growth_rate([numbers @ .., speed]: &[f64; 9]) -> [f64; 1] {
     [stability::growth_rate(&coefficients(numbers), *speed).unwrap_or(f64::NAN)]
 }
 
-/// In the order in which [`Coefficients`] has them.
-const fn coefficients(numbers: &[f64; 8]) -> Coefficients {
+/// Coefficients from their numbers, in the order in which [`Coefficients`] has them.
+pub(super) const fn coefficients(numbers: &[f64; 8]) -> Coefficients {
     let [
         beta,
         gamma,

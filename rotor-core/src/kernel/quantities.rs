@@ -12,7 +12,7 @@ use crate::region::RegionKind;
 
 use super::chain::{Chain, Needs};
 use super::destination::{Columns, Destination, Finite, Kind, Partial, Positive};
-use super::iteration::{Ends, GrowthRate, number_of};
+use super::iteration::{Ends, GrowthRate, coefficients, number_of};
 use super::list::{List, columns};
 use super::stage::{self, Inputs};
 
@@ -342,26 +342,8 @@ impl Row<'_> {
 
     /// The coefficients of the first point.
     fn first(&mut self) -> Option<Coefficients> {
-        let [
-            beta,
-            gamma,
-            delta,
-            epsilon_1,
-            epsilon_12,
-            epsilon_2,
-            disk_asymmetry,
-            crack_angle,
-        ] = self.coefficients()?.map(|list| list.number());
-        Some(Coefficients {
-            beta,
-            gamma,
-            delta,
-            epsilon_1,
-            epsilon_12,
-            epsilon_2,
-            disk_asymmetry,
-            crack_angle,
-        })
+        let numbers = self.coefficients()?.map(|list| list.number());
+        Some(coefficients(&numbers))
     }
 }
 
