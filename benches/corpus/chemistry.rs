@@ -5,7 +5,7 @@ pub use formulas::*;
 /// This module's own source text, which is what the tools compared read.
 pub const SOURCE: &str = include_str!("chemistry.rs");
 
-#[rotor_macros::symbolic]
+#[rotor_macros::symbolic(sizes = 1e-9..=1e9)]
 mod formulas {
     /// The gas constant, J/(mol K).
     const GAS: f64 = 8.314_462_618_153_24;

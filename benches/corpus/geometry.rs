@@ -5,7 +5,7 @@ pub use formulas::*;
 /// This module's own source text, which is what the tools compared read.
 pub const SOURCE: &str = include_str!("geometry.rs");
 
-#[rotor_macros::symbolic]
+#[rotor_macros::symbolic(sizes = 1e-9..=1e9)]
 mod formulas {
     /// Area of a triangle of these sides.
     ///

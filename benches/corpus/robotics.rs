@@ -5,7 +5,7 @@ pub use formulas::*;
 /// This module's own source text, which is what the tools compared read.
 pub const SOURCE: &str = include_str!("robotics.rs");
 
-#[rotor_macros::symbolic]
+#[rotor_macros::symbolic(sizes = 1e-9..=1e9)]
 mod formulas {
     /// Position of the tip of a planar arm of two links, m; its gradient by the angles is the arm's Jacobian. Lengths in m,
     /// joint angles in rad.

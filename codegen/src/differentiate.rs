@@ -9,6 +9,8 @@
 //! it from $\sqrt{x^2 + y^2}$, which has none there; the caller keeps away from such a point, or writes the limit as a formula
 //! of its own.
 
+mod corners;
+
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::graph::{ExprId, Function, Graph, Node, Rational, SymbolId, ratio, whole};
@@ -117,25 +119,33 @@ impl Sweeps<'_> {
                 continue;
             };
             let adjoint = graph.sum(contributions);
-            if let Node::Symbol(symbol) = graph.node(id) {
-                let symbol = *symbol;
-                // The contributions share the divisions that their way here has in common; a further derivative of them one
-                // by one would have differences that cancel.
-                of_symbols.insert(symbol, over_common_divisor(graph, adjoint));
-                continue;
-            }
-            if let Node::Apply(function, operands) = graph.node(id).clone()
-                && let Some((compared, alternatives)) = choice(function, &operands)
-            {
-                self.pass_choice(graph, adjoint, compared, alternatives, &mut adjoints);
-                continue;
-            }
-            for (operand, slope, coefficient) in slopes(graph, id, &depends) {
-                let share = graph.multiply(adjoint, slope);
-                adjoints
-                    .entry(operand)
-                    .or_default()
-                    .push((share, coefficient));
+            match graph.node(id).clone() {
+                Node::Symbol(symbol) => {
+                    // The contributions share the divisions that their way here has in common; a further derivative of them
+                    // one by one would have differences that cancel.
+                    of_symbols.insert(symbol, over_common_divisor(graph, adjoint));
+                }
+                Node::Apply(function, operands) if corners::is_choice(function) => {
+                    self.pass_choice(graph, adjoint, (id, function), &operands, &mut adjoints);
+                }
+                Node::Apply(Function::Abs, operands) => {
+                    let inner = self.partials(graph, operands[0]);
+                    let side = corners::side(graph, operands[0], &inner);
+                    let share = graph.multiply(adjoint, side);
+                    adjoints
+                        .entry(operands[0])
+                        .or_default()
+                        .push((share, whole(1)));
+                }
+                _ => {
+                    for (operand, slope, coefficient) in slopes(graph, id, &depends) {
+                        let share = graph.multiply(adjoint, slope);
+                        adjoints
+                            .entry(operand)
+                            .or_default()
+                            .push((share, coefficient));
+                    }
+                }
             }
         }
         let zero = graph.integer(0);
@@ -154,31 +164,19 @@ impl Sweeps<'_> {
         &mut self,
         graph: &mut Graph,
         adjoint: ExprId,
-        [a, b]: [ExprId; 2],
-        alternatives: [ExprId; 2],
+        choice: (ExprId, Function),
+        operands: &[ExprId],
         adjoints: &mut Adjoints,
     ) {
+        let alternatives = corners::alternatives(operands);
         let [first, second] = alternatives.map(|alternative| self.partials(graph, alternative));
+        let taken = corners::taken(graph, choice, operands, &first, &second);
         for ((symbol, first), second) in self.by.iter().zip(first).zip(second) {
-            let [x, y] = [first, second].map(|partial| graph.multiply(adjoint, partial));
-            let share = if x == y {
-                x
-            } else {
-                graph.apply(Function::Select, vec![a, b, x, y])
-            };
+            let partials = [first, second].map(|partial| graph.multiply(adjoint, partial));
+            let share = taken.of(graph, partials);
             let symbol = graph.symbol_expression(*symbol);
             adjoints.entry(symbol).or_default().push((share, whole(1)));
         }
-    }
-}
-
-/// What a choice compares, and its value where the first is not larger and where it is.
-fn choice(function: Function, operands: &[ExprId]) -> Option<([ExprId; 2], [ExprId; 2])> {
-    match (function, operands) {
-        (Function::Min, [a, b]) => Some(([*a, *b], [*a, *b])),
-        (Function::Max, [a, b]) => Some(([*a, *b], [*b, *a])),
-        (Function::Select, [a, b, x, y]) => Some(([*a, *b], [*x, *y])),
-        _ => None,
     }
 }
 
@@ -187,35 +185,53 @@ fn choice(function: Function, operands: &[ExprId]) -> Option<([ExprId; 2], [Expr
 pub fn gradient_forward(graph: &mut Graph, function: ExprId, by: &[SymbolId]) -> Vec<ExprId> {
     let order = graph.reachable(&[function]);
     let zero = graph.integer(0);
-    let mut partials = Vec::with_capacity(by.len());
-    for symbol in by {
-        let depends = graph.depends_on(&BTreeSet::from([*symbol]));
-        let mut tangents: BTreeMap<ExprId, ExprId> = BTreeMap::new();
-        for id in order.iter().copied().filter(|id| depends[id.index()]) {
-            let tangent = if let Node::Symbol(_) = graph.node(id) {
-                graph.one()
-            } else if let Node::Apply(function, operands) = graph.node(id).clone()
-                && let Some(([a, b], alternatives)) = choice(function, &operands)
-            {
-                let [x, y] = alternatives.map(|x| tangents.get(&x).copied().unwrap_or(zero));
-                if x == y {
-                    x
-                } else {
-                    graph.apply(Function::Select, vec![a, b, x, y])
-                }
-            } else {
-                let mut terms = Vec::new();
-                for (operand, slope, coefficient) in slopes(graph, id, &depends) {
-                    let inner = tangents.get(&operand).copied().unwrap_or(zero);
-                    terms.push((graph.multiply(inner, slope), coefficient));
-                }
-                graph.sum(terms)
-            };
-            tangents.insert(id, tangent);
-        }
-        partials.push(tangents.get(&function).copied().unwrap_or(zero));
+    let wanted: BTreeSet<SymbolId> = by.iter().copied().collect();
+    let depends = graph.depends_on(&wanted);
+    // For each node its derivatives by all symbols.
+    let mut tangents: BTreeMap<ExprId, Vec<ExprId>> = BTreeMap::new();
+    let nothing = vec![zero; by.len()];
+    for id in order.into_iter().filter(|id| depends[id.index()]) {
+        let of = |operand: &ExprId| tangents.get(operand).unwrap_or(&nothing).clone();
+        let tangent = match graph.node(id).clone() {
+            Node::Symbol(symbol) => {
+                let one = graph.one();
+                by.iter()
+                    .map(|by| if *by == symbol { one } else { zero })
+                    .collect()
+            }
+            Node::Apply(function, operands) if corners::is_choice(function) => {
+                let [first, second] = corners::alternatives(&operands).map(|operand| of(&operand));
+                let taken = corners::taken(graph, (id, function), &operands, &first, &second);
+                let both = first.into_iter().zip(second);
+                both.map(|(first, second)| taken.of(graph, [first, second]))
+                    .collect()
+            }
+            Node::Apply(Function::Abs, operands) => {
+                let inner = of(&operands[0]);
+                let side = corners::side(graph, operands[0], &inner);
+                inner
+                    .into_iter()
+                    .map(|inner| graph.multiply(inner, side))
+                    .collect()
+            }
+            _ => {
+                let slopes = slopes(graph, id, &depends);
+                let inner: Vec<_> = slopes.iter().map(|(operand, ..)| of(operand)).collect();
+                let by_symbol = (0..by.len()).map(|place| {
+                    let terms = slopes.iter().zip(&inner);
+                    let terms: Vec<_> = terms
+                        .map(|((_, slope, q), inner)| {
+                            (graph.multiply(inner[place], *slope), q.clone())
+                        })
+                        .collect();
+                    graph.sum(terms)
+                });
+                by_symbol.collect()
+            }
+        };
+        tangents.insert(id, tangent);
     }
-    partials
+    tangents.remove(&function).unwrap_or(nothing)
 }
 
 /// The second partials, by rows; the matrix is symmetric by construction.
@@ -248,19 +264,23 @@ fn slopes(graph: &mut Graph, id: ExprId, depends: &[bool]) -> Vec<(ExprId, ExprI
                 .collect()
         }
         Node::Product(factors) => {
-            let wanted: Vec<_> = factors
+            let wanted = factors
                 .iter()
-                .filter(|(operand, _)| matters(operand))
-                .copied()
-                .collect();
-            wanted
-                .into_iter()
-                .map(|(operand, exponent)| {
+                .enumerate()
+                .filter(|(_, (operand, _))| matters(operand));
+            let wanted: Vec<_> = wanted.map(|(place, factor)| (place, *factor)).collect();
+            let slope = |(place, (operand, exponent)): (usize, (ExprId, i32))| {
+                // (u/v)' is −(u/v)/v·v', which stays in the range of numbers where u/v² does not.
+                let slope = if exponent < 0 {
+                    graph.product([(id, 1), (operand, -1)])
+                } else {
                     let mut others = factors.clone();
-                    others.push((operand, -1));
-                    (operand, graph.product(others), whole(i64::from(exponent)))
-                })
-                .collect()
+                    others[place].1 -= 1;
+                    graph.product(others)
+                };
+                (operand, slope, whole(i64::from(exponent)))
+            };
+            wanted.into_iter().map(slope).collect()
         }
         Node::Apply(function, operands) => slopes_of_function(graph, id, function, &operands),
         Node::Tabulated {
@@ -309,11 +329,13 @@ fn slopes_of_function(
             let inverse = graph.power(u, -1);
             single(inverse, whole(1))
         }
-        Function::Abs => {
-            let sign = graph.apply(Function::Sign, vec![u]);
-            single(sign, whole(1))
-        }
-        // Choices are passed on as a whole.
-        Function::Sign | Function::Min | Function::Max | Function::Select => Vec::new(),
+        Function::MulAdd => match operands {
+            [a, b, c] => vec![(*a, *b, whole(1)), (*b, *a, whole(1)), (*c, one, whole(1))],
+            _ => Vec::new(),
+        },
+        // Steps have the slope 0.
+        Function::Sign | Function::Side => Vec::new(),
+        // Corners are passed on as a whole.
+        Function::Abs | Function::Min | Function::Max | Function::Select => Vec::new(),
     }
 }

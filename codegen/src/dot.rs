@@ -121,7 +121,9 @@ fn sign(function: Function) -> &'static str {
         Function::Sign => "sign",
         Function::Min => "min",
         Function::Max => "max",
-        Function::Select => "a ≤ b ? x : y",
+        Function::Side => "side",
+        Function::Select => "a = b ? x : y",
+        Function::MulAdd => "a·b + c",
     }
 }
 
@@ -203,7 +205,7 @@ mod tests {
 
     #[test]
     fn a_formula_as_a_graph() {
-        let source = "#[symbolic] mod m { pub fn f(x: f64, y: f64) -> f64 { let r = x - 2.0 * y + 3.0; (r * r * x).sqrt() / y } }";
+        let source = "#[symbolic(sizes = 1e-9..=1e9)] mod m { pub fn f(x: f64, y: f64) -> f64 { let r = x - 2.0 * y + 3.0; (r * r * x).sqrt() / y } }";
         let mut expansion = show::module(source).unwrap();
         let expected = [
             "digraph \"f\" {",

@@ -22,9 +22,12 @@ use crate::emit::namer::table_function;
 use crate::emit::scalar::{self, Form};
 use crate::factor::circuit::Circuit;
 use crate::factor::identities::merge_held;
+use crate::factor::rounding::Written;
 use crate::factor::{self, Held, Outputs};
-use crate::graph::{ExprId, Graph, Node, SymbolId};
+use crate::gather::{gather, hold};
+use crate::graph::{ExprId, Graph, Node, Role, SymbolId};
 use crate::latex::Symbols;
+use crate::parse::attributes::of_module::ModuleAttribute;
 use crate::parse::attributes::{Request, Target, root};
 use crate::parse::body::{Reader, identifier};
 use crate::parse::module::{Function, Module};
@@ -33,7 +36,7 @@ use crate::parse::value::Value;
 use crate::rewrite;
 use crate::tables::Tables;
 use fallback::{column_stubs, integral_function, one_deeper, stub};
-use text::{documentation, output_names};
+use text::{as_written, documentation, output_names};
 
 /// Expands a module of formulas: the module as written, with a module of generated forms beside each function that asks
 /// for some. What is wrong comes out as `compile_error!`s at their tokens, all at once, beside everything that is right
@@ -67,8 +70,10 @@ pub fn expand(attribute: TokenStream, item: TokenStream) -> TokenStream {
 }
 
 /// A function's result over its own symbols.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Formula {
+    /// The result as its author wrote it, operation by operation.
+    pub written: Written,
     /// Rewritten graph of the result.
     pub graph: Graph,
     /// Shape of the result.
@@ -83,6 +88,33 @@ impl Formula {
     /// Whether an integral without a table is in it, so that there is no code for it.
     pub fn has_integral(&self) -> bool {
         holds_integral(&self.graph, &self.roots)
+    }
+
+    /// A result that was read into a graph as written.
+    pub fn of(graph: Graph, value: &Value, hold: bool) -> Self {
+        let numbers: Vec<ExprId> = value.numbers().into_iter().map(|(_, id)| id).collect();
+        let gathered = gather(&graph, &numbers);
+        let held = hold.then(|| self::hold(&graph, &numbers)).flatten();
+        let (rewritten, roots) = rewrite::rewrite(&gathered.graph, &gathered.roots);
+        Self {
+            value: value.with_numbers(&mut roots.iter().copied()),
+            graph: rewritten,
+            roots,
+            // What cancels between products that are held is seen only in their values, and is not to be derived.
+            held: held.map(|held| merge_held(&held).rewritten()),
+            written: Written {
+                graph,
+                roots: numbers,
+                undoes_rounding: gathered.undoes_rounding,
+            },
+        }
+    }
+
+    /// The input of that name, made where the formula does not depend on it.
+    pub fn input(&mut self, name: &str) -> SymbolId {
+        // The same in both graphs: each is made with the symbols of the one as written.
+        self.written.graph.symbol_named(name);
+        self.graph.symbol_named(name)
     }
 }
 
@@ -140,8 +172,10 @@ impl Expansion {
     /// Reads a module's attribute and signatures, but no function's body yet.
     pub fn unread(attribute: TokenStream, item: ItemMod) -> Self {
         let mut diagnostics = Diagnostics::default();
-        let symbols = Symbols::read(attribute, &mut diagnostics);
-        let module = Module::read(item, &mut diagnostics);
+        let attribute = ModuleAttribute::read(attribute, &mut diagnostics);
+        let symbols = Symbols::read(&attribute.latex, &mut diagnostics);
+        let mut module = Module::read(item, &mut diagnostics);
+        module.sizes = attribute.sizes;
         Self {
             module,
             symbols,
@@ -224,38 +258,9 @@ impl Expansion {
         }
         self.named
             .insert(function.name(), in_order(function, &graph, named));
-        let (graph, roots) = rewrite::rewrite(&graph, &numbers);
-        let value = value.with_numbers(&mut roots.iter().copied());
-        let gradient = function
-            .request
-            .as_ref()
-            .is_some_and(|request| request.gradient.is_some());
-        let held = gradient.then(|| self.held(function, &graph)).flatten();
-        Some(Formula {
-            graph,
-            value,
-            roots,
-            held,
-        })
-    }
-
-    /// The formula once more, with its named products held.
-    fn held(&mut self, function: &Function, graph: &Graph) -> Option<Held> {
-        let mut reader = Reader::holding(&self.module, &mut self.tables, graph);
-        let value = reader.read(function)?;
-        let definitions = reader.definitions.unwrap_or_default();
-        let values = value.numbers().into_iter().map(|(_, id)| id).collect();
-        let outputs = Outputs {
-            values,
-            ..Outputs::default()
-        };
-        let held = Held {
-            graph: reader.graph,
-            outputs,
-            definitions,
-        };
-        // What cancels between products that are held is seen only in their values, and is not to be derived.
-        (!held.definitions.is_empty()).then(|| merge_held(&held).rewritten())
+        let request = function.request.as_ref();
+        let has_gradient = request.is_some_and(|request| request.gradient.is_some());
+        Some(Formula::of(graph, &value, has_gradient))
     }
 
     /// Reports a result that no code can be generated for.
@@ -411,9 +416,12 @@ impl Expansion {
         let held = (form == Form::Gradient)
             .then(|| derive_held(formula, &by))
             .flatten();
-        let circuit = factor::minimise_with(&graph, &outputs, held.as_ref());
+        let written = derive_written(formula, form, &by);
+        let found = factor::minimise_with(&graph, &outputs, &written, held.as_ref());
+        let circuit = found.circuit;
         self.use_tables(&graph, &circuit);
-        let documentation = documentation(function, &graph, form, &by, circuit.cost());
+        let mut documentation = documentation(function, &graph, form, &by, circuit.cost());
+        documentation.extend(found.as_written.iter().flat_map(as_written));
         let value = &self.formula(&function.name())?.value;
         let tokens = scalar::function(
             &graph,
@@ -444,7 +452,7 @@ impl Expansion {
         let by = by.iter().map(|target| {
             let misfit = numbers::misfit(&self.module, function, &target.symbol);
             let fits = misfit.is_none() && function.parameter(target.root()).is_some();
-            fits.then(|| formula.graph.symbol_named(&target.symbol))
+            fits.then(|| formula.input(&target.symbol))
         });
         by.collect()
     }
@@ -457,7 +465,7 @@ impl Expansion {
         let own = formula
             .graph
             .symbols()
-            .filter(|(_, symbol)| is_own(&symbol.name));
+            .filter(|(_, symbol)| symbol.role == Role::Input);
         let symbols: Vec<SymbolId> = own.map(|(id, _)| id).collect();
         let mut items = vec![columns::inputs_type(&columns::names_of(
             &formula.graph,
@@ -582,7 +590,7 @@ impl Expansion {
 fn in_order(function: &Function, graph: &Graph, named: BTreeSet<SymbolId>) -> Vec<SymbolId> {
     let own = named
         .into_iter()
-        .filter(|symbol| is_own(&graph.symbol(*symbol).name));
+        .filter(|symbol| graph.symbol(*symbol).role == Role::Input);
     let mut own: Vec<SymbolId> = own.collect();
     let names: Vec<String> = function
         .parameters
@@ -595,12 +603,6 @@ fn in_order(function: &Function, graph: &Graph, named: BTreeSet<SymbolId>) -> Ve
         names.iter().position(|known| known == root(name))
     });
     own
-}
-
-/// Whether a symbol is a number of a parameter: those with a `#` belong to a partial within the formula, those with an
-/// `@` are variables of integration.
-fn is_own(symbol: &str) -> bool {
-    !symbol.contains(['#', '@'])
 }
 
 /// The module of a function's generated forms.
@@ -652,21 +654,36 @@ fn name_partials(graph: &mut Graph, outputs: &Outputs) {
 /// The formula's numbers with the partials that a form asks for, rewritten.
 pub fn derive(formula: &Formula, form: Form, by: &[SymbolId]) -> (Graph, Outputs) {
     let mut graph = formula.graph.clone();
+    let outputs = with_partials(&mut graph, &formula.roots, form, by);
+    let (graph, all) = rewrite::rewrite(&graph, &outputs.all());
+    let outputs = outputs.with_all(&all);
+    (graph, outputs)
+}
+
+/// The same numbers as the author wrote them, with the partials of the author's operations one by one.
+pub fn derive_written(formula: &Formula, form: Form, by: &[SymbolId]) -> Written {
+    let mut written = formula.written.clone();
+    let outputs = with_partials(&mut written.graph, &formula.written.roots, form, by);
+    written.roots = outputs.all();
+    written
+}
+
+/// The numbers with the partials that a form asks for.
+fn with_partials(graph: &mut Graph, roots: &[ExprId], form: Form, by: &[SymbolId]) -> Outputs {
     let mut outputs = Outputs {
-        values: formula.roots.clone(),
+        values: roots.to_vec(),
         by: by.to_vec(),
         ..Outputs::default()
     };
     if form >= Form::Gradient {
-        for root in &formula.roots {
-            outputs
-                .gradients
-                .push(differentiate::gradient(&mut graph, *root, by));
-        }
+        let gradients = roots
+            .iter()
+            .map(|root| differentiate::gradient(graph, *root, by));
+        outputs.gradients = gradients.collect();
     }
     if form == Form::Hessian {
         for gradient in &outputs.gradients {
-            let rows = differentiate::hessian(&mut graph, gradient, by);
+            let rows = differentiate::hessian(graph, gradient, by);
             let triangle = rows
                 .iter()
                 .enumerate()
@@ -675,7 +692,7 @@ pub fn derive(formula: &Formula, form: Form, by: &[SymbolId]) -> (Graph, Outputs
             outputs.hessians.push(triangle.collect());
         }
     }
-    name_partials(&mut graph, &outputs);
+    name_partials(graph, &outputs);
     for triangle in &outputs.hessians {
         let pairs = (0..by.len()).flat_map(|row| (row..by.len()).map(move |column| (row, column)));
         for (second, (row, column)) in triangle.iter().zip(pairs) {
@@ -684,7 +701,5 @@ pub fn derive(formula: &Formula, form: Form, by: &[SymbolId]) -> (Graph, Outputs
             graph.suggest_name(*second, &format!("d_{row}_{column}"));
         }
     }
-    let (graph, all) = rewrite::rewrite(&graph, &outputs.all());
-    let outputs = outputs.with_all(&all);
-    (graph, outputs)
+    outputs
 }

@@ -6,6 +6,7 @@
 //! products are taken apart into shared ones by several orders of extraction ([`extract`]), and the cheapest is kept of
 //! those that lose no digits ([`rounding`]).
 
+pub mod bounded;
 pub mod circuit;
 pub mod coefficients;
 pub mod constants;
@@ -16,16 +17,18 @@ pub mod identities;
 pub mod lower;
 pub mod multiples;
 pub mod pairs;
+pub mod probes;
 pub mod quotients;
 pub mod repeats;
 pub mod rounding;
+pub mod written;
 
 use crate::factor::circuit::Circuit;
 use crate::factor::extract::{ORDERS, Step};
-use crate::factor::rounding::Reference;
+use crate::factor::rounding::{Fault, Reference, Written};
+use crate::gather::Definitions;
 use crate::graph::{ExprId, Graph, SymbolId};
 use crate::parallel::{both, on_all_cores};
-use crate::parse::body::held::Definitions;
 use crate::{differentiate, rewrite};
 
 /// The numbers that one generated function gives.
@@ -103,59 +106,89 @@ impl Held {
 /// every product a name, all of these are derived by each other.
 const MOST_OF_HELD: usize = 2;
 
-/// What a form that stays in the range of numbers far from 1 may cost beyond an eighth of the cheapest.
-const ONE_DIVISION: usize = 8;
+/// The circuit that was found, and why it is the author's form where it is that.
+#[derive(Clone, Debug)]
+pub struct Found {
+    /// The operations.
+    pub circuit: Circuit,
+    /// What is wrong with the cheapest of other forms, where none of them is right.
+    pub as_written: Option<Fault>,
+}
 
-/// The circuit with the fewest operations that was found for these outputs, among those that round no worse than the
-/// formula as its author wrote it.
-pub fn minimise(graph: &Graph, outputs: &Outputs) -> Circuit {
-    minimise_with(graph, outputs, None)
+/// The circuit with the fewest operations that was found for these outputs, among those that are as right as the formula as
+/// its author wrote it; that formula where there is none.
+pub fn minimise(graph: &Graph, outputs: &Outputs, written: &Written) -> Found {
+    minimise_with(graph, outputs, written, None)
 }
 
 /// The same with another form to choose from.
-pub fn minimise_with(graph: &Graph, outputs: &Outputs, held: Option<&Held>) -> Circuit {
+pub fn minimise_with(
+    graph: &Graph,
+    outputs: &Outputs,
+    written: &Written,
+    held: Option<&Held>,
+) -> Found {
+    let as_written = |fault| Found {
+        circuit: written::circuit(&written.graph, &written.roots),
+        as_written: Some(fault),
+    };
+    if written.undoes_rounding {
+        return as_written(Fault::UndoesRounding);
+    }
+    if graph.is_exceeded() {
+        return as_written(Fault::TooLong);
+    }
+    let (reference, merged) = both(|| Reference::of(written), || merged_forms(graph, outputs));
     let all = outputs.all();
-    let tables = graph;
-    let (reference, merged): (_, Vec<_>) = both(
-        || Reference::of(graph, &all),
-        || {
-            let forward = forward(graph, outputs).map(|(graph, all)| unified(&graph, &all));
-            [unified(graph, &all)].into_iter().chain(forward).collect()
-        },
-    );
     let size = graph.reachable(&all).len();
     let held = held.filter(|held| held.graph.reachable(&held.all()).len() <= MOST_OF_HELD * size);
     let mut held = held.map(held_forms).unwrap_or_default();
     // What is as its author wrote it only where the other loses digits.
-    let as_written = std::iter::once_with(|| vec![rewrite::rewrite(graph, &all)]);
-    for graphs in std::iter::once(merged).chain(as_written) {
+    let gathered = std::iter::once_with(|| vec![rewrite::rewrite(graph, &all)]);
+    let mut fault = None;
+    for graphs in std::iter::once(merged).chain(gathered) {
         let lowered = graphs
             .into_iter()
+            .filter(|(graph, _)| !graph.is_exceeded())
             .flat_map(|(graph, roots)| lowered_forms(graph, roots, outputs))
             .chain(std::mem::take(&mut held));
-        let search = Search::new(lowered.collect());
-        for circuits in search {
-            if let Some(found) = best_of(circuits, &reference, tables) {
-                return found;
+        for circuits in Search::new(lowered.collect()) {
+            match best_of(circuits, &reference, graph) {
+                Ok(circuit) => {
+                    return Found {
+                        circuit,
+                        as_written: None,
+                    };
+                }
+                Err(of_cheapest) => fault = fault.or(of_cheapest),
             }
         }
     }
-    lower::lower(graph, &all)
+    as_written(fault.unwrap_or(Fault::TooLong))
 }
 
-/// The cheapest circuit of those that lose no digits, or one that is little dearer and keeps them far from 1 too.
-fn best_of(mut circuits: Vec<Circuit>, reference: &Reference, tables: &Graph) -> Option<Circuit> {
+/// The outputs with equal expressions as one, with the partials of the reverse and of the forward mode.
+fn merged_forms(graph: &Graph, outputs: &Outputs) -> Vec<(Graph, Vec<ExprId>)> {
+    let forward = forward(graph, outputs).map(|(graph, all)| unified(&graph, &all));
+    let reverse = unified(graph, &outputs.all());
+    [reverse].into_iter().chain(forward).collect()
+}
+
+/// The cheapest circuit of those that are as right as the author's form; what is wrong with the cheapest where there is none.
+fn best_of(
+    mut circuits: Vec<Circuit>,
+    reference: &Reference,
+    tables: &Graph,
+) -> Result<Circuit, Option<Fault>> {
     circuits.sort_by_key(|circuit| circuit.cost().weight());
-    let mut sound = circuits
-        .into_iter()
-        .filter(|circuit| reference.admits(tables, circuit));
-    let cheapest = sound.next()?;
-    let most = cheapest.cost().weight() * 9 / 8 + ONE_DIVISION;
-    let affordable = sound.take_while(|circuit| circuit.cost().weight() <= most);
-    let far = std::iter::once(cheapest.clone())
-        .chain(affordable)
-        .find(|circuit| reference.admits_far(tables, circuit));
-    Some(far.unwrap_or(cheapest))
+    let mut first = None;
+    for circuit in circuits {
+        match reference.fault(tables, &circuit) {
+            None => return Ok(circuit),
+            Some(fault) => first = first.or(Some(fault)),
+        }
+    }
+    Err(first)
 }
 
 /// Works out forms in the orders of extraction: the most promising forms in all orders first, the others only where those
@@ -282,6 +315,9 @@ fn forward(graph: &Graph, outputs: &Outputs) -> Option<(Graph, Vec<ExprId>)> {
     Some((graph, all))
 }
 
+/// The most binary digits of a constant in a circuit: twice those of the largest and the smallest `f64`.
+const LONGEST_CONSTANT: u64 = 2200;
+
 /// The outputs in every form that may turn out to be cheapest, each once.
 fn lowered_forms(graph: Graph, roots: Vec<ExprId>, outputs: &Outputs) -> Vec<Circuit> {
     let mut forms = vec![(graph, roots)];
@@ -306,7 +342,9 @@ fn lowered_forms(graph: Graph, roots: Vec<ExprId>, outputs: &Outputs) -> Vec<Cir
             .collect::<Vec<_>>()
     });
     let mut forms: Vec<Circuit> = Vec::new();
-    for form in lowered.into_iter().flatten() {
+    // What has constants that no number holds is of no use, and takes long to look through.
+    let useful = |circuit: &Circuit| circuit.longest_constant() <= LONGEST_CONSTANT;
+    for form in lowered.into_iter().flatten().filter(useful) {
         if !forms.iter().any(|known| known.is_same(&form)) {
             forms.push(form);
         }

@@ -7,6 +7,12 @@
 //! - A product holds no product, no number other than a divisor 0, no operand twice, no zero exponent; rational
 //!   coefficients stand in the sum around it.
 //! - Nothing is ever multiplied out: the structure of a formula is its author's knowledge about rounding.
+//! - No exponent is larger than [`LARGEST_EXPONENT`] and no constant longer than [`MOST_BITS`]; a graph in which one would be is
+//!   marked as [exceeded](Graph::is_exceeded), and of no use.
+//!
+//! A graph [as written](Graph::as_written) keeps every operation in the order in which its author wrote it instead, as Rust
+//! evaluates it: sums of terms from left to right, products of factors from left to right, numbers where they stand. It is
+//! what a function's body is read into, and what all other forms of it are held against; only equal nodes are one.
 
 mod canonical;
 pub(crate) mod rational;
@@ -15,15 +21,15 @@ mod sign;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 use smallvec::SmallVec;
 
 use crate::approximate::piecewise::PiecewisePolynomial;
 pub use rational::{Rational, ratio, whole};
 pub use sign::Sign;
 
-/// Handle of an expression in its [`Graph`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+/// Handle of an expression in its [`Graph`]; by default that of the number 1.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct ExprId(u32);
 
 /// Handle of a symbol (a number that the formula's caller gives) in its [`Graph`].
@@ -61,14 +67,18 @@ pub enum Function {
     Ln,
     /// Absolute value.
     Abs,
-    /// Sign: 1 or −1, the derivative of the absolute value.
+    /// The sign bit as 1 or −1, as `f64::signum` has it.
     Sign,
+    /// The side of zero: −1 below it, else 1, the derivative of the absolute value seen from the right.
+    Side,
     /// The smaller of two.
     Min,
     /// The larger of two.
     Max,
-    /// `Select(a, b, x, y)` is x where a ≤ b, else y: the derivative of the smaller and larger of two.
+    /// `Select(a, b, x, y)` is x where a = b, else y: the derivative of the smaller and larger of two.
     Select,
+    /// `MulAdd(a, b, c)` is a·b + c, rounded once.
+    MulAdd,
 }
 
 /// Names of the mathematical constants that are not rational.
@@ -130,13 +140,43 @@ pub enum Node {
     },
 }
 
-/// A symbol: its name as the formula's author writes it, and what is known about its sign.
+/// What a symbol stands for.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Role {
+    /// A number that the formula's caller gives.
+    Input,
+    /// A number that the function of this name is called with, while a partial of it is derived within another formula.
+    Argument(Arc<str>),
+    /// The variable of the integral with this number.
+    Variable(usize),
+    /// The named product with this number.
+    Product(usize),
+}
+
+/// A symbol: its name as the formula's author writes it, what it stands for, and what is known about its sign.
 #[derive(Clone, Debug)]
 pub struct Symbol {
     /// `omega`, or `c.beta` for a field of a parameter.
     pub name: String,
+    /// What it stands for.
+    pub role: Role,
     /// The declared domain, as a sign.
     pub sign: Sign,
+}
+
+/// How large the numbers are that a formula is given.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Sizes {
+    /// All that an `f64` can be, infinities and what is no number included.
+    #[default]
+    All,
+    /// Zero, and numbers from the smallest to the largest of these in size.
+    Within {
+        /// The smallest size beside 0.
+        smallest: f64,
+        /// The largest size.
+        largest: f64,
+    },
 }
 
 /// A tabulated function: its name, its polynomial, and what is known of its sign.
@@ -168,11 +208,25 @@ pub struct Graph {
     settled: Vec<bool>,
     index: FxHashMap<Node, ExprId>,
     symbols: Vec<Symbol>,
-    symbol_index: BTreeMap<String, SymbolId>,
+    symbol_index: BTreeMap<(Role, String), SymbolId>,
     names: FxHashMap<ExprId, Arc<str>>,
+    /// The sums that the author wrote, in a graph as written: not those of derivatives.
+    authored: FxHashSet<ExprId>,
+    /// Whether operations stay as they were written.
+    is_as_written: bool,
+    /// Whether a constant or an exponent has become too long.
+    is_exceeded: bool,
     /// The tabulated functions that nodes refer to.
     pub tables: Arc<Vec<Table>>,
+    /// How large the symbols' numbers are.
+    pub sizes: Sizes,
 }
+
+/// The largest exponent of a factor, in size.
+pub const LARGEST_EXPONENT: i32 = 10_000;
+
+/// The most binary digits of an exact constant's numerator and denominator, ten times those of any `f64`.
+pub const MOST_BITS: u64 = 20_000;
 
 impl Default for Graph {
     fn default() -> Self {
@@ -184,7 +238,11 @@ impl Default for Graph {
             symbols: Vec::new(),
             symbol_index: BTreeMap::new(),
             names: FxHashMap::default(),
+            authored: FxHashSet::default(),
+            is_as_written: false,
+            is_exceeded: false,
             tables: Arc::default(),
+            sizes: Sizes::All,
         };
         graph.intern(Node::Number(Rational::ONE));
         graph
@@ -197,12 +255,33 @@ impl Graph {
         Self::default()
     }
 
+    /// An empty graph whose operations stay as they are written.
+    pub fn as_written() -> Self {
+        Self {
+            is_as_written: true,
+            ..Self::default()
+        }
+    }
+
+    /// Whether operations stay as they are written.
+    pub fn is_as_written(&self) -> bool {
+        self.is_as_written
+    }
+
+    /// Whether a constant or an exponent has become longer than any that is gathered, so that expressions are not what they
+    /// should be.
+    pub fn is_exceeded(&self) -> bool {
+        self.is_exceeded
+    }
+
     /// An empty graph with the same symbols (by the same handles) and tables, to rebuild expressions in.
     pub fn with_symbols_of(other: &Self) -> Self {
         let mut graph = Self::new();
         graph.symbols.clone_from(&other.symbols);
         graph.symbol_index.clone_from(&other.symbol_index);
         graph.tables.clone_from(&other.tables);
+        graph.is_exceeded = other.is_exceeded;
+        graph.sizes = other.sizes;
         graph
     }
 
@@ -247,23 +326,31 @@ impl Graph {
             .map(|(position, symbol)| (SymbolId(position as u32), symbol))
     }
 
-    /// The symbol of that name, made if there is none.
+    /// The input of that name, made if there is none.
     pub fn symbol_named(&mut self, name: &str) -> SymbolId {
-        if let Some(&id) = self.symbol_index.get(name) {
-            return id;
+        self.symbol_of(Role::Input, name)
+    }
+
+    /// The symbol of that role and name, made if there is none.
+    pub fn symbol_of(&mut self, role: Role, name: &str) -> SymbolId {
+        let next = SymbolId(self.symbols.len() as u32);
+        let key = (role, name.to_owned());
+        let id = *self.symbol_index.entry(key.clone()).or_insert(next);
+        if id == next {
+            let (role, name) = key;
+            self.symbols.push(Symbol {
+                name,
+                role,
+                sign: Sign::UNKNOWN,
+            });
         }
-        let id = SymbolId(self.symbols.len() as u32);
-        self.symbols.push(Symbol {
-            name: name.to_owned(),
-            sign: Sign::UNKNOWN,
-        });
-        self.symbol_index.insert(name.to_owned(), id);
         id
     }
 
-    /// The symbol of that name, if there is one.
+    /// The input of that name, if there is one.
     pub fn find_symbol(&self, name: &str) -> Option<SymbolId> {
-        self.symbol_index.get(name).copied()
+        let key = (Role::Input, name.to_owned());
+        self.symbol_index.get(&key).copied()
     }
 
     /// Declares what is known of a symbol's sign; it holds for expressions that are made afterwards.
@@ -280,6 +367,16 @@ impl Graph {
     /// The suggested name, if any.
     pub fn suggested_name(&self, id: ExprId) -> Option<&str> {
         self.names.get(&id).map(|name| &**name)
+    }
+
+    /// Notes that the author wrote an expression, so that it is no part of a derivative.
+    pub fn note_author(&mut self, id: ExprId) {
+        self.authored.insert(id);
+    }
+
+    /// Whether the author wrote the expression.
+    pub fn is_authored(&self, id: ExprId) -> bool {
+        self.authored.contains(&id)
     }
 
     fn intern(&mut self, node: Node) -> ExprId {
@@ -405,6 +502,9 @@ impl Graph {
             same[id.index()] = is_same && image == rebuilt;
             if let Some(name) = self.names.get(&id) {
                 target.names.entry(image).or_insert_with(|| name.clone());
+            }
+            if target.is_as_written && self.authored.contains(&id) {
+                target.authored.insert(image);
             }
             images[id.index()] = Some(image);
         }

@@ -1,5 +1,7 @@
 //! Evaluates a graph, node by node: what generated code is tested against, and what the numerics of the build use.
 
+pub mod double_double;
+
 use std::collections::BTreeSet;
 
 use crate::approximate::piecewise::PiecewisePolynomial;
@@ -69,12 +71,14 @@ impl Number for f64 {
             (Function::Min, [x, y]) => x.min(*y),
             (Function::Max, [x, y]) => x.max(*y),
             (Function::Select, [a, b, x, y]) => {
-                if a <= b {
+                if a == b {
                     *x
                 } else {
                     *y
                 }
             }
+            (Function::Side, [x]) => 1.0_f64.copysign(x + 0.0),
+            (Function::MulAdd, [a, b, c]) => a.mul_add(*b, *c),
             _ => f64::NAN,
         }
     }
@@ -94,7 +98,7 @@ fn multiple<T: Number>(coefficient: &Rational, value: T) -> T {
 }
 
 /// One node's value from the values of its operands. Integrals have none here.
-fn node_value<T: Number>(
+pub(crate) fn node_value<T: Number>(
     graph: &Graph,
     id: ExprId,
     symbols: &[T],

@@ -129,6 +129,7 @@ pub mod dot;
 pub mod emit;
 pub mod expand;
 pub mod factor;
+pub mod gather;
 pub mod graph;
 pub mod interpret;
 pub mod latex;

@@ -245,7 +245,7 @@ mod tests {
     use super::*;
 
     const SOURCE: &str = "
-        #[symbolic]
+        #[symbolic(sizes = 1e-9..=1e9)]
         mod m {
             /// Length of an arc of the sine
             /// from 0.
@@ -265,10 +265,15 @@ mod tests {
     #[test]
     fn sketched_tables_change_no_code() {
         let file = syn::parse_file(SOURCE).unwrap();
-        let Item::Mod(item) = file.items.into_iter().next().unwrap() else {
-            unreachable!()
-        };
-        let mut fitted = Expansion::of(item);
+        let (attribute, item) = file
+            .items
+            .into_iter()
+            .find_map(|item| match item {
+                Item::Mod(item) => symbolic(item),
+                _ => None,
+            })
+            .unwrap();
+        let mut fitted = Expansion::unread(attribute, item);
         let mut sketched = module(SOURCE).unwrap();
         let code = rust(&mut sketched, "f").unwrap();
         assert_eq!(code, rust(&mut fitted, "f").unwrap());

@@ -17,7 +17,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use crate::cost::Cost;
 use crate::factor::circuit::{Circuit, Net, Operation};
 use crate::factor::extract::{self, ORDERS};
-use crate::factor::rounding::Reference;
+use crate::factor::rounding::{Reference, Written};
 use crate::factor::{self, Outputs, lower};
 use crate::graph::{ExprId, Graph, SymbolId};
 use crate::rewrite::{self, Form};
@@ -81,11 +81,20 @@ fn cost_of(circuit: &Circuit, inner: &BTreeSet<SymbolId>, stage: Stage) -> Cost 
 
 /// The circuit of the outputs that has the fewest operations at each point, then the fewest of all, among those that round
 /// no worse than the formula as its author wrote it.
-pub fn minimise(graph: &Graph, outputs: &Outputs, inner: &BTreeSet<SymbolId>) -> Circuit {
+pub fn minimise(
+    graph: &Graph,
+    outputs: &Outputs,
+    written: &Written,
+    inner: &BTreeSet<SymbolId>,
+) -> Circuit {
     let all = outputs.all();
-    let reference = Reference::of(graph, &all);
+    if written.undoes_rounding || graph.is_exceeded() {
+        return factor::minimise(graph, outputs, written).circuit;
+    }
+    let reference = Reference::of(written);
     let mut circuits: Vec<Circuit> = Vec::new();
-    for (graph, roots) in forms(graph, &all, inner) {
+    let forms = forms(graph, &all, inner).into_iter();
+    for (graph, roots) in forms.filter(|(graph, _)| !graph.is_exceeded()) {
         let lowered = lower::lower(&graph, &roots);
         for order in ORDERS.into_iter().chain([&[][..]]) {
             let mut circuit = lowered.clone();
@@ -107,8 +116,8 @@ pub fn minimise(graph: &Graph, outputs: &Outputs, inner: &BTreeSet<SymbolId>) ->
     });
     let sound = circuits
         .into_iter()
-        .find(|circuit| reference.admits(graph, circuit));
-    sound.unwrap_or_else(|| factor::minimise(graph, outputs))
+        .find(|circuit| reference.fault(graph, circuit).is_none());
+    sound.unwrap_or_else(|| factor::minimise(graph, outputs, written).circuit)
 }
 
 /// The outputs in every form that may turn out to leave the fewest operations at the points.

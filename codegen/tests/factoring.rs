@@ -14,6 +14,7 @@ use codegen::emit::scalar::Form;
 use codegen::factor::circuit::{Circuit, Net, Operation};
 use codegen::factor::coefficients;
 use codegen::factor::extract::{Step, extract};
+use codegen::gather::gather;
 use codegen::graph::{Function, Graph, Node, Rational, ratio, whole};
 use codegen::parse::literal::{constant, decimal};
 
@@ -310,8 +311,8 @@ fn roots_of_one_product_are_one_root() {
     assert_eq!(both("f64 { a.sqrt() / b.sqrt() }"), (1, 1));
     assert_eq!(both("f64 { (a / b).sqrt() * (b / x).sqrt() }"), (1, 1));
     assert_eq!(both("f64 { (a / b).sqrt() * (x / y).sqrt() }"), (1, 1));
-    // One division more keeps the range: √(ab)/(bx) has products that √(a/b)/x has not.
-    assert_eq!(both("f64 { a.sqrt() / (b.sqrt() * x) }"), (1, 2));
+    // √(ab)/(bx) has products that √(a/b)/x has not: with numbers of everyday they stay in the range.
+    assert_eq!(both("f64 { a.sqrt() / (b.sqrt() * x) }"), (1, 1));
     // One of them is needed alone.
     assert_eq!(both("(f64, f64) { (a.sqrt(), a.sqrt() * b.sqrt()) }").0, 2);
 }
@@ -396,10 +397,15 @@ fn assert_derivative(formula: &str, expected: &str) {
                 .1
         })
         .into();
-    let mut graph = reader.graph;
+    let gathered = gather(&reader.graph, &numbers);
+    let mut graph = gathered.graph;
     let x = graph.find_symbol("x").unwrap();
-    let slope = differentiate::gradient(&mut graph, numbers[0], &[x])[0];
-    assert_eq!(graph.node(slope), graph.node(numbers[1]), "{formula}");
+    let slope = differentiate::gradient(&mut graph, gathered.roots[0], &[x])[0];
+    assert_eq!(
+        graph.node(slope),
+        graph.node(gathered.roots[1]),
+        "{formula}"
+    );
 }
 
 #[test]
@@ -421,22 +427,22 @@ fn derivatives_at_corners_choose_a_side() {
     let [x, y] = ["x", "y"].map(|name| graph.symbol_named(name));
     let (a, b) = (graph.symbol_expression(x), graph.symbol_expression(y));
     let (one, zero) = (graph.one(), graph.integer(0));
-    for (function, kept) in [(Function::Min, [a, b]), (Function::Max, [b, a])] {
+    // A little to the right of x = y in x, the larger is the first and the smaller the second.
+    for (function, taken, others) in [
+        (Function::Max, a, [[one, zero], [zero, one]]),
+        (Function::Min, b, [[zero, one], [one, zero]]),
+    ] {
         let root = graph.apply(function, vec![a, b]);
         let slopes = differentiate::gradient(&mut graph, root, &[x, y]);
-        let first = graph.apply(Function::Select, vec![a, b, one, zero]);
-        let second = graph.apply(Function::Select, vec![a, b, zero, one]);
-        let expected = if kept[0] == a {
-            [first, second]
-        } else {
-            [second, first]
-        };
+        let expected = others.map(|[at_taken, other]| {
+            graph.apply(Function::Select, vec![root, taken, at_taken, other])
+        });
         assert_eq!(slopes, expected);
     }
     let root = graph.apply(Function::Abs, vec![a]);
     assert_eq!(
         differentiate::gradient(&mut graph, root, &[x]),
-        vec![graph.apply(Function::Sign, vec![a])]
+        vec![graph.apply(Function::Side, vec![a])]
     );
 }
 

@@ -8,6 +8,7 @@
 
 mod support;
 
+use codegen::gather::gather;
 use codegen::graph::{ExprId, Graph};
 use codegen::interpret::evaluate;
 use codegen::parse::body::Reader;
@@ -44,7 +45,8 @@ fn sides(rule: &Rule, given: &str) -> (Graph, ExprId, ExprId) {
         other => panic!("{}: {name} is {other:?}", rule.name),
     };
     let (left, right) = (side("pattern"), side("result"));
-    (reader.graph, left, right)
+    let gathered = gather(&reader.graph, &[left, right]);
+    (gathered.graph, gathered.roots[0], gathered.roots[1])
 }
 
 /// Random numbers of either sign and of sizes around 1, their signs turned where the domain says so.

@@ -17,8 +17,9 @@ const DETERMINANT: &str = include_str!("formulas/determinant.rs");
 
 /// The module `name` of generated forms in an expansion.
 fn forms_of(source: &str, name: &str) -> String {
-    let expanded: syn::ItemMod =
-        syn::parse2(codegen::expand(TokenStream::new(), source.parse().unwrap())).unwrap();
+    let attribute = quote::quote!(sizes = 1e-9..=1e9);
+    let expanded = codegen::expand(attribute, source.parse().unwrap());
+    let expanded: syn::ItemMod = syn::parse2(expanded).unwrap();
     let is_forms = |item: &syn::Item| {
         let text = quote::ToTokens::to_token_stream(item).to_string();
         text.contains(&format!("pub mod {name} {{"))

@@ -135,6 +135,27 @@ impl<S: Simd> Pack<S> {
         self.with(self.numbers.max_precise(other.numbers))
     }
 
+    /// −1 where the number is below zero, else 1, also for a negative zero.
+    #[inline(always)]
+    pub fn side(self) -> Self {
+        let shifted = self.numbers + S::f64s::splat(self.simd, 0.0);
+        self.with(S::f64s::splat(self.simd, 1.0).copysign(shifted))
+    }
+
+    /// The number times another plus a third, rounded once on every level, as [`f64::mul_add`].
+    #[inline(always)]
+    pub fn mul_add(self, factor: Self, summand: Self) -> Self {
+        let (factor, summand) = (factor.numbers, summand.numbers);
+        self.map_rows(|row, number| number.mul_add(factor[row], summand[row]))
+    }
+
+    /// `x` in the rows where this is equal to `other`, `y` in the others.
+    #[inline(always)]
+    pub fn select_eq(self, other: Self, x: Self, y: Self) -> Self {
+        let chosen = self.numbers.simd_eq(other.numbers);
+        self.with(chosen.select(x.numbers, y.numbers))
+    }
+
     /// `x` in the rows where this is at most `bound`, `y` in the others.
     #[inline(always)]
     pub fn select_le(self, bound: Self, x: Self, y: Self) -> Self {

@@ -9,7 +9,7 @@ pub use terms::*;
 /// This module's own source text, for tools that show a formula as it is written.
 pub const SOURCE: &str = include_str!("equations.rs");
 
-#[rotor_macros::symbolic(latex(
+#[rotor_macros::symbolic(sizes = 1e-15..=1e15, latex(
     speed = "\\Omega",
     omega_bar = "\\varpi",
     detuning = "\\vartheta",

@@ -400,13 +400,18 @@ impl<'a> Writer<'a> {
             if self.numbers == Numbers::Packs {
                 let a = self.value(*a).at_least(Precedence::Atom);
                 let [b, x, y] = [b, x, y].map(|operand| self.value(*operand).tokens);
-                return Piece::atom(quote!(#a.select_le(#b, #x, #y)));
+                return Piece::atom(quote!(#a.select_eq(#b, #x, #y)));
             }
             let [a, b, x, y] = [a, b, x, y].map(|operand| self.operand(*operand).tokens);
             return Piece {
-                tokens: quote!(if #a <= #b { #x } else { #y }),
+                tokens: quote!(if #a == #b { #x } else { #y }),
                 precedence: Precedence::Choice,
             };
+        }
+        if let (Function::Side, Numbers::Single, [operand]) = (function, self.numbers, operands) {
+            // With a zero added, a negative zero is a positive one.
+            let operand = self.operand(*operand).at_least(Precedence::Sum);
+            return Piece::atom(quote!(1.0_f64.copysign(#operand + 0.0)));
         }
         let name = if self.by_multiplication.contains(&net) {
             Some("sqrt_by_multiplication")

@@ -218,7 +218,7 @@ fn kind(operation: &Operation) -> &'static str {
     }
 }
 
-/// The method of `f64` that computes a function of one or two operands.
+/// The method that computes a function: of packs, and but for the side of zero of `f64` too.
 pub fn method(function: Function) -> Option<&'static str> {
     Some(match function {
         Function::Sqrt => "sqrt",
@@ -231,6 +231,8 @@ pub fn method(function: Function) -> Option<&'static str> {
         Function::Sign => "signum",
         Function::Min => "min",
         Function::Max => "max",
+        Function::Side => "side",
+        Function::MulAdd => "mul_add",
         Function::Select => return None,
     })
 }

@@ -3,13 +3,15 @@
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
+use super::Expansion;
 use super::fallback::stub_function;
-use super::{Expansion, is_own};
+use super::text::as_written;
 use crate::differentiate;
 use crate::emit::expression::Writer;
 use crate::emit::scalar;
+use crate::factor::rounding::Written;
 use crate::factor::{self, Outputs};
-use crate::graph::SymbolId;
+use crate::graph::{ExprId, Graph, Role, SymbolId};
 use crate::parse::body::{identifier, partial_symbols};
 use crate::parse::module::Function;
 use crate::parse::numbers;
@@ -27,12 +29,13 @@ impl Expansion {
         let Some(formula) = self.formula(&function.name()) else {
             return stub_function(function, &quote!(#name), &quote!(f64));
         };
-        let mut graph = formula.graph.clone();
+        let mut formula = formula.clone();
         // The same names as where it is called.
         for number in numbers::known(&self.module, function) {
-            graph.symbol_named(&number);
+            formula.input(&number);
         }
-        let own = graph.symbols().filter(|(_, symbol)| is_own(&symbol.name));
+        let symbols = formula.graph.symbols();
+        let own = symbols.filter(|(_, symbol)| symbol.role == Role::Input);
         let names: Vec<(String, SymbolId)> = own
             .map(|(id, symbol)| (identifier(&symbol.name), id))
             .collect();
@@ -40,23 +43,21 @@ impl Expansion {
             .strip_prefix("d_")
             .map(|suffix| partial_symbols(suffix, &names))
             .unwrap_or_default();
-        let ([by], [root]) = (ways.as_slice(), formula.roots.as_slice()) else {
+        let ([by], [_]) = (ways.as_slice(), formula.roots.as_slice()) else {
             return stub_function(function, &quote!(#name), &quote!(f64));
         };
-        let derivative = by.iter().fold(*root, |derivative, symbol| {
-            differentiate::gradient(&mut graph, derivative, &[*symbol])
-                .first()
-                .copied()
-                .unwrap_or(derivative)
-        });
-        let (graph, roots) = rewrite::rewrite(&graph, &[derivative]);
-        let circuit = factor::minimise(
-            &graph,
-            &Outputs {
-                values: roots,
-                ..Outputs::default()
-            },
-        );
+        let Written { graph, roots, .. } = &mut formula.written;
+        derive_by(graph, roots, by);
+        let (mut graph, mut roots) = (formula.graph, formula.roots);
+        derive_by(&mut graph, &mut roots, by);
+        let (graph, roots) = rewrite::rewrite(&graph, &roots);
+        let outputs = Outputs {
+            values: roots,
+            ..Outputs::default()
+        };
+        let found = factor::minimise(&graph, &outputs, &formula.written);
+        let circuit = found.circuit;
+        let why: Vec<String> = found.as_written.iter().flat_map(as_written).collect();
         self.use_tables(&graph, &circuit);
         let symbol = |symbol: SymbolId| scalar::symbol_tokens(&graph, symbol);
         let taken = function
@@ -70,11 +71,22 @@ impl Expansion {
             #[doc = #written]
             #[doc = ""]
             #[doc = #counts]
+            #(#[doc = #why])*
             #[inline]
             pub fn #name(#parameters) -> f64 {
                 #(#statements)*
                 #(#outputs)*
             }
+        }
+    }
+}
+
+/// Puts the partials by some symbols, one after the other, in the place of numbers.
+fn derive_by(graph: &mut Graph, numbers: &mut [ExprId], by: &[SymbolId]) {
+    for number in numbers {
+        for symbol in by {
+            let partials = differentiate::gradient(graph, *number, &[*symbol]);
+            *number = partials.first().copied().unwrap_or(*number);
         }
     }
 }

@@ -5,7 +5,7 @@ use quote::format_ident;
 
 use super::fallback::staged_stub;
 use super::text::output_names;
-use super::{Expansion, derive};
+use super::{Expansion, derive, derive_written};
 use crate::emit::namer::{pack_table_function, table_function};
 use crate::emit::scalar::Form;
 use crate::emit::staged;
@@ -42,7 +42,8 @@ impl Expansion {
         let (graph, outputs) = derive(formula, Form::Value, &[]);
         let names = output_names(&formula.value, &graph, &[]);
         let set = inner.iter().copied().collect();
-        let circuit = stage::minimise(&graph, &outputs, &set);
+        let written = derive_written(formula, Form::Value, &[]);
+        let circuit = stage::minimise(&graph, &outputs, &written, &set);
         Some((stage::split(&graph, &circuit, &set), inner, names))
     }
 

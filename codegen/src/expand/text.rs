@@ -2,6 +2,7 @@
 
 use crate::cost::Cost;
 use crate::emit::scalar::Form;
+use crate::factor::rounding::Fault;
 use crate::graph::{Graph, SymbolId};
 use crate::parse::body::identifier;
 use crate::parse::module::Function;
@@ -54,4 +55,9 @@ pub(super) fn documentation(
         ),
     };
     vec![what, String::new(), format!(" Operations: {cost}.")]
+}
+
+/// Why a form is the author's own, as lines of its documentation.
+pub(super) fn as_written(fault: &Fault) -> [String; 2] {
+    [String::new(), format!(" As it is written: {fault}.")]
 }

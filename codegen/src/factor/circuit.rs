@@ -12,8 +12,8 @@ use smallvec::{SmallVec, smallvec};
 use crate::cost::Cost;
 use crate::graph::{Function, Rational, SymbolId, rational};
 
-/// Handle of an operation in its [`Circuit`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+/// Handle of an operation in its [`Circuit`]; by default the first.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Net(u32);
 
 impl Net {
@@ -203,6 +203,16 @@ impl Circuit {
         uses
     }
 
+    /// Binary digits of the longest constant.
+    pub fn longest_constant(&self) -> u64 {
+        let of = |operation: &Operation| match operation {
+            Operation::Number(value) => value.bits(),
+            Operation::Sum(terms) => terms.iter().map(|(_, q)| q.bits()).max().unwrap_or(0),
+            _ => 0,
+        };
+        self.operations.iter().map(of).max().unwrap_or(0)
+    }
+
     /// Whether the operation is a constant.
     pub fn as_number(&self, net: Net) -> Option<&Rational> {
         match self.operation(net) {
@@ -241,6 +251,38 @@ impl Circuit {
             }
             _ => self.push(Operation::Sum(terms)),
         }
+    }
+
+    /// A multiple as it stands.
+    pub fn multiple(&mut self, (operand, coefficient): (Net, Rational)) -> Net {
+        if coefficient.is_one() {
+            return operand;
+        }
+        self.push(Operation::Sum(smallvec![(operand, coefficient)]))
+    }
+
+    /// A sum of two terms as it stands.
+    pub fn sum_of_two(&mut self, first: (Net, Rational), second: (Net, Rational)) -> Net {
+        let mut terms: Terms = smallvec![first, second];
+        // The same operand twice is one with the sum of both coefficients, which is as exact.
+        rational::collect(&mut terms);
+        match terms.as_slice() {
+            [] => self.number(Rational::ZERO),
+            [(operand, coefficient)] => self.multiple((*operand, coefficient.clone())),
+            _ => self.push(Operation::Sum(terms)),
+        }
+    }
+
+    /// A product of two factors as it stands.
+    pub fn product_of_two(&mut self, first: Net, second: Net) -> Net {
+        let mut factors: Factors = smallvec![(first, 1), (second, 1)];
+        rational::collect(&mut factors);
+        self.push(Operation::Product(factors))
+    }
+
+    /// The same operations without those that no result needs.
+    pub fn without_unused(self) -> Self {
+        self.swept()
     }
 
     /// A product in its simplest form.
@@ -470,8 +512,14 @@ impl Circuit {
             Operation::Quotient(..) => cost.div = 1,
             Operation::Apply(Function::Sqrt, _) => cost.sqrt = 1,
             Operation::Apply(Function::Abs | Function::Sign, _) => {}
+            // A zero is added, so that a negative one counts as zero.
+            Operation::Apply(Function::Side, _) => cost.add = 1,
             Operation::Apply(Function::Min | Function::Max | Function::Select, _) => {
                 cost.choice = 1;
+            }
+            Operation::Apply(Function::MulAdd, _) => {
+                cost.add = 1;
+                cost.mul = 1;
             }
             Operation::Apply(..) | Operation::Tabulated { .. } => cost.call = 1,
         }

@@ -26,14 +26,14 @@ const ZERO_BITS: usize = 130;
 /// A function of constants, where it has a finite value that is not a rational number's by a rule.
 pub fn value(function: Function, operands: &[Rational]) -> Option<Rational> {
     match (function, operands) {
-        (Function::Sign, [x]) => Some(if x.is_negative() {
+        (Function::Sign | Function::Side, [x]) => Some(if x.is_negative() {
             -Rational::ONE
         } else {
             Rational::ONE
         }),
         (Function::Min, [x, y]) => Some(x.min(y).clone()),
         (Function::Max, [x, y]) => Some(x.max(y).clone()),
-        (Function::Select, [a, b, x, y]) => Some(if a <= b { x } else { y }.clone()),
+        (Function::Select, [a, b, x, y]) => Some(if a == b { x } else { y }.clone()),
         (Function::Exp, [x]) => exponential(x),
         (Function::Ln, [x]) if x.is_positive() => Some(logarithm(x)),
         (Function::Sin | Function::Cos | Function::Tan, [x]) => circular(function, x),

@@ -1,9 +1,12 @@
-//! Values at random points of a prime field, by which equal expressions are told.
+//! Values at random points of two prime fields, by which equal expressions are told.
 //!
-//! Rational operations are done in the field with p = 2⁶¹ − 1; any other function of an operand gets a value drawn by
-//! the operand's fingerprint, so that it equals just itself. Two polynomials of degree d that differ agree at both points
-//! with a probability of at most (d/p)² (Schwartz and Zippel), 1e-30 for the degrees of formulas. The points are fixed,
-//! so that the same formulas always give the same code.
+//! Rational operations are done in both fields; any other function of an operand gets a value drawn by the operand's
+//! fingerprint, so that it equals just itself. Two polynomials of degree d that differ agree at both points and in both fields with
+//! a probability of at most (d/p)⁴ (Schwartz and Zippel), 1e-60 for the degrees of formulas. No power of two or ten, and no
+//! number near one, is a small number in either field, let alone the same one in both. A constant of which a prime divides a
+//! part, and a divisor that vanishes in one field alone, have a value in that field that is drawn as a function's is. The points
+//! are fixed, so that the same formulas always give the same code; what was taken for equal is confirmed where the
+//! finished form is held against the author's ([`rounding`](super::rounding)).
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -12,102 +15,145 @@ use num_traits::ToPrimitive;
 
 use crate::graph::{ExprId, Function, Graph, Node, Rational, SymbolId};
 
-/// The prime 2⁶¹ − 1.
-const PRIME: u64 = (1 << 61) - 1;
+/// What each prime is below 2⁶¹: drawn at random from 2²⁶ to 2²⁷, so that 2⁶¹ is a number in the fields that no formula has.
+const BELOW: [u64; 2] = [75916291, 95946753];
 
-/// An element of the field.
+/// The primes.
+const PRIMES: [u64; 2] = [(1 << 61) - BELOW[0], (1 << 61) - BELOW[1]];
+
+/// A number of both fields.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Residue(u64);
+pub struct Residue([u64; 2]);
+
+/// A number below 2¹²² in the field of one prime.
+fn reduced(wide: u128, field: usize) -> u64 {
+    const LOW: u128 = (1 << 61) - 1;
+    // 2⁶¹ is the small number that the prime is below it: the bits from there on are added so many times to those below.
+    let below = u128::from(BELOW[field]);
+    let once = (wide & LOW) + (wide >> 61) * below;
+    let twice = ((once & LOW) + (once >> 61) * below) as u64;
+    let mut rest = twice;
+    while rest >= PRIMES[field] {
+        rest -= PRIMES[field];
+    }
+    rest
+}
+
+fn product_in(field: usize, left: u64, right: u64) -> u64 {
+    reduced(u128::from(left) * u128::from(right), field)
+}
+
+fn power_in(field: usize, base: u64, exponent: u64) -> u64 {
+    let (mut result, mut base, mut rest) = (1, base, exponent);
+    while rest > 0 {
+        if rest % 2 == 1 {
+            result = product_in(field, result, base);
+        }
+        base = product_in(field, base, base);
+        rest /= 2;
+    }
+    result
+}
 
 impl Residue {
     /// 0
-    pub const ZERO: Self = Self(0);
+    pub const ZERO: Self = Self([0; 2]);
     /// 1
-    pub const ONE: Self = Self(1);
+    pub const ONE: Self = Self([1; 2]);
 
-    /// The residue of a rational number; one whose denominator the prime divides counts as 0.
-    pub fn rational(value: &Rational) -> Self {
-        // Most constants of formulas are whole and small, and an inverse takes a hundred products.
-        if let Some(small) = value.to_i64().and_then(Self::small) {
-            return small;
-        }
-        Self::whole(&value.numerator()).times(Self::whole(&value.denominator()).inverse())
+    /// What a number is in each field.
+    fn of(number: impl Fn(usize) -> u64) -> Self {
+        Self([number(0), number(1)])
     }
 
-    fn small(value: i64) -> Option<Self> {
-        let size = Some(value.unsigned_abs()).filter(|size| *size < PRIME)?;
-        let residue = Self(size);
-        Some(if value < 0 {
-            residue.negative()
-        } else {
-            residue
+    /// The residue of a rational number; in a field whose prime divides its numerator or denominator it is drawn.
+    pub fn rational(value: &Rational) -> Self {
+        // Most constants of formulas are whole and small, and an inverse takes a hundred products.
+        let small = value
+            .to_i64()
+            .filter(|small| small.unsigned_abs() < PRIMES[0].min(PRIMES[1]));
+        if let Some(small) = small {
+            let size = Self([small.unsigned_abs(); 2]);
+            return if small < 0 { size.negative() } else { size };
+        }
+        let [above, below] = [value.numerator(), value.denominator()].map(|part| whole(&part));
+        let quotient = above.times(below.inverse());
+        let parts = [above, below];
+        let drawn = drawn(CONSTANT, 0, parts.into_iter());
+        quotient.or_where_zero(drawn)
+    }
+
+    /// The other number in the fields in which this one is 0.
+    fn or_where_zero(self, other: Self) -> Self {
+        Self::of(|field| {
+            if self.0[field] == 0 {
+                other.0[field]
+            } else {
+                self.0[field]
+            }
         })
     }
 
-    fn whole(value: &BigInt) -> Self {
-        if let Some(small) = value.to_i64().and_then(Self::small) {
-            return small;
-        }
-        let modulus = BigInt::from(PRIME);
-        let reduced = ((value % &modulus) + &modulus) % &modulus;
-        Self(reduced.to_u64().unwrap_or(0))
+    /// Whether it is 0 in one of the fields.
+    fn vanishes(self) -> bool {
+        self.0.contains(&0)
     }
 
     /// The sum.
     pub fn plus(self, other: Self) -> Self {
-        let sum = self.0 + other.0;
-        Self(if sum >= PRIME { sum - PRIME } else { sum })
+        Self::of(|field| {
+            let sum = self.0[field] + other.0[field];
+            sum.checked_sub(PRIMES[field]).unwrap_or(sum)
+        })
     }
 
     /// The negative.
     pub fn negative(self) -> Self {
-        Self(if self.0 == 0 { 0 } else { PRIME - self.0 })
+        Self::of(|field| match self.0[field] {
+            0 => 0,
+            number => PRIMES[field] - number,
+        })
     }
 
     /// The product.
     pub fn times(self, other: Self) -> Self {
-        // 2⁶¹ is 1 in the field: the bits from there on are added to those below.
-        let wide = u128::from(self.0) * u128::from(other.0);
-        let (low, high) = ((wide as u64) & PRIME, (wide >> 61) as u64);
-        Self(low).plus(Self(high))
+        Self::of(|field| product_in(field, self.0[field], other.0[field]))
     }
 
     /// The power.
     pub fn power(self, exponent: u64) -> Self {
-        let (mut result, mut base, mut rest) = (Self::ONE, self, exponent);
-        while rest > 0 {
-            if rest % 2 == 1 {
-                result = result.times(base);
-            }
-            base = base.times(base);
-            rest /= 2;
+        match exponent {
+            1 => self,
+            2 => self.times(self),
+            _ => Self::of(|field| power_in(field, self.0[field], exponent)),
         }
-        result
     }
 
     /// The inverse; that of 0 is 0.
     pub fn inverse(self) -> Self {
-        self.power(PRIME - 2)
+        Self::of(|field| power_in(field, self.0[field], PRIMES[field] - 2))
     }
 
     /// The inverses of many, of which only one is worked out: the others are products.
     pub fn inverses(residues: &[Self]) -> Vec<Self> {
+        let or_one = |residue: &Self| residue.or_where_zero(Self::ONE);
         let mut product = Self::ONE;
         let mut inverses = Vec::with_capacity(residues.len());
         for residue in residues {
             inverses.push(product);
-            if *residue != Self::ZERO {
-                product = product.times(*residue);
-            }
+            product = product.times(or_one(residue));
         }
         let mut of_rest = product.inverse();
         for (inverse, residue) in inverses.iter_mut().zip(residues).rev() {
-            if *residue == Self::ZERO {
-                *inverse = Self::ZERO;
-            } else {
-                *inverse = inverse.times(of_rest);
-                of_rest = of_rest.times(*residue);
-            }
+            let all = inverse.times(of_rest);
+            *inverse = Self::of(|field| {
+                if residue.0[field] == 0 {
+                    0
+                } else {
+                    all.0[field]
+                }
+            });
+            of_rest = of_rest.times(or_one(residue));
         }
         inverses
     }
@@ -115,19 +161,25 @@ impl Residue {
     /// The fraction with the smallest parts whose residue this is, if any has parts up to 64.
     pub fn as_fraction(self) -> Option<(i64, i64)> {
         (1..=64_i64).find_map(|denominator| {
-            let scaled = self.times(Self(denominator.unsigned_abs()));
-            let size = scaled.0.min(PRIME - scaled.0);
-            let numerator = i64::try_from(size).ok().filter(|size| *size <= 64)?;
-            Some((
-                if scaled.0 == size {
-                    numerator
-                } else {
-                    -numerator
-                },
-                denominator,
-            ))
+            let scaled = self.times(Self([denominator.unsigned_abs(); 2]));
+            let signed = |field: usize| {
+                let number = scaled.0[field];
+                let negative = PRIMES[field] - number;
+                let size = i64::try_from(number.min(negative)).ok()?;
+                Some(if number <= negative { size } else { -size })
+            };
+            let numerator = signed(0).filter(|numerator| numerator.abs() <= 64)?;
+            (signed(1) == Some(numerator)).then_some((numerator, denominator))
         })
     }
+}
+
+fn whole(value: &BigInt) -> Residue {
+    Residue::of(|field| {
+        let modulus = BigInt::from(PRIMES[field]);
+        let reduced = ((value % &modulus) + &modulus) % &modulus;
+        reduced.to_u64().unwrap_or(0)
+    })
 }
 
 /// Deterministic noise (the finaliser of splitmix64).
@@ -135,7 +187,16 @@ fn scramble(seed: u64) -> u64 {
     let mut z = seed.wrapping_add(0x9E37_79B9_7F4A_7C15);
     z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
     z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-    (z ^ (z >> 31)) % PRIME
+    z ^ (z >> 31)
+}
+
+/// The kinds of numbers that are drawn, beside functions and tables.
+const CONSTANT: u64 = 2_000_000;
+const DIVISION_BY_ZERO: u64 = 3_000_000;
+
+/// A number of both fields by noise.
+fn noise(seed: u64) -> Residue {
+    Residue::of(|field| scramble(seed.wrapping_add(field as u64)) % PRIMES[field])
 }
 
 /// The value of an expression at two points.
@@ -153,14 +214,18 @@ pub fn without_sign(fingerprint: Fingerprint) -> (Fingerprint, bool) {
 
 /// The value of a symbol at a point.
 pub fn symbol_at(symbol: SymbolId, point: u64) -> Residue {
-    Residue(scramble(scramble(point) ^ (symbol.index() as u64)))
+    noise(scramble(scramble(point) ^ (symbol.index() as u64)))
 }
 
 /// The value of a function that is no sum or product, drawn by its kind and its operands.
 pub fn drawn(kind: u64, point: u64, operands: impl Iterator<Item = Residue>) -> Residue {
     let start =
         scramble(kind.wrapping_mul(0x0001_0000_0001) ^ point.wrapping_mul(0xD6E8_FEB8_6659_FD93));
-    Residue(operands.fold(start, |seed, operand| scramble(seed ^ operand.0)))
+    let enter = |seed, number: u64| scramble(seed ^ number);
+    let seed = operands.fold(start, |seed, operand| {
+        operand.0.into_iter().fold(seed, enter)
+    });
+    noise(seed)
 }
 
 /// A number for each function, to draw its values by.
@@ -196,11 +261,11 @@ pub fn node_at(
             factors
                 .iter()
                 .fold(Residue::ONE, |product, (operand, exponent)| {
-                    let base = match value(*operand) {
-                        // A division by zero is no number, least of all zero.
-                        Residue::ZERO if *exponent < 0 => drawn(3_000_000, &[]),
-                        divisor if *exponent < 0 => divisor.inverse(),
-                        factor => factor,
+                    let factor = value(*operand);
+                    let base = if *exponent < 0 {
+                        inverse(factor, point)
+                    } else {
+                        factor
                     };
                     product.times(base.power(u64::from(exponent.unsigned_abs())))
                 })
@@ -224,6 +289,29 @@ pub fn node_at(
             &[*integrand, *lower, *upper],
         ),
     }
+}
+
+/// The inverse of a divisor. A division by zero is no number, least of all zero.
+pub fn inverse(divisor: Residue, point: u64) -> Residue {
+    if divisor.vanishes() {
+        let other = drawn(DIVISION_BY_ZERO, point, [divisor].into_iter());
+        return divisor.inverse().or_where_zero(other);
+    }
+    divisor.inverse()
+}
+
+/// The expressions among these that are 0 whatever their symbols are.
+pub fn vanishing(graph: &Graph, ids: &[ExprId]) -> Vec<ExprId> {
+    if ids.is_empty() {
+        return Vec::new();
+    }
+    let values = [0, 1].map(|point| all_at(graph, ids, point));
+    let is_zero = |id: &ExprId| {
+        values
+            .iter()
+            .all(|values| values[id.index()] == Residue::ZERO)
+    };
+    ids.iter().copied().filter(is_zero).collect()
 }
 
 /// The values of all nodes that the roots need at a point, by position; others are 0.
@@ -250,7 +338,7 @@ pub fn near(graph: &Graph, roots: &[ExprId], depth: usize, point: u64) -> Vec<Re
         level = inner.iter().flat_map(|id| graph.operands(*id)).collect();
     }
     let mut values: BTreeMap<ExprId, Residue> = BTreeMap::new();
-    let itself = |id: ExprId| Residue(scramble(scramble(!point) ^ (id.index() as u64)));
+    let itself = |id: ExprId| noise(scramble(scramble(!point) ^ (id.index() as u64)));
     for id in opened {
         let value = node_at(graph, id, point, |operand| {
             values.get(&operand).copied().unwrap_or(itself(operand))
@@ -276,6 +364,14 @@ mod tests {
         let third = Residue::rational(&ratio(-1, 3));
         assert_eq!(third.times(Residue::rational(&ratio(-3, 1))), Residue::ONE);
         assert_eq!(third.as_fraction(), Some((-1, 3)));
+        for prime in PRIMES {
+            let large = Rational::new(BigInt::from(1), BigInt::from(prime));
+            assert!(!Residue::rational(&large).vanishes());
+        }
+        let powers: BTreeSet<Residue> = (-130..=130)
+            .map(|power| Residue::rational(&ratio(2, 1).pow(power)))
+            .collect();
+        assert_eq!(powers.len(), 261);
         assert_eq!(
             Residue::rational(&ratio(7, 2)).plus(Residue::rational(&ratio(-7, 2))),
             Residue::ZERO

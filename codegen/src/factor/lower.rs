@@ -326,7 +326,7 @@ fn power_of_quotient(factors: &[(ExprId, i32)]) -> (Factors, u32, Factors) {
 }
 
 /// Digits of a named constant.
-fn digits_of(constant: NamedConstant) -> Rational {
+pub(super) fn digits_of(constant: NamedConstant) -> Rational {
     let digits = match constant {
         NamedConstant::Pi => "3.14159265358979323846264338327950288419716939937510582097494",
         NamedConstant::E => "2.71828182845904523536028747135266249775724709369995957496697",

@@ -5,7 +5,9 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use smallvec::smallvec;
 
 use super::circuit::{Circuit, Net, Operation};
-use super::fingerprint::{Fingerprint, Residue, drawn, is_zero, kind_of, kind_of_table, symbol_at};
+use super::fingerprint::{
+    Fingerprint, Residue, drawn, inverse, is_zero, kind_of, kind_of_table, symbol_at,
+};
 use crate::graph::{Rational, ratio};
 
 /// Makes operations with equal fingerprints one, up to a small rational factor where that takes fewer operations.
@@ -90,11 +92,9 @@ fn value_at(circuit: &Circuit, net: Net, point: u64, values: &[Fingerprint]) -> 
         Operation::Product(factors) => factors.iter().fold(Residue::ONE, |product, (factor, n)| {
             product.times(value(factor).power(u64::from(*n)))
         }),
-        Operation::Quotient(numerator, denominator) => match value(denominator) {
-            // A division by zero is no number, least of all zero.
-            Residue::ZERO => drawn(3_000_000, point, [value(numerator)].into_iter()),
-            divisor => value(numerator).times(divisor.inverse()),
-        },
+        Operation::Quotient(numerator, denominator) => {
+            value(numerator).times(inverse(value(denominator), point))
+        }
         Operation::Apply(function, operands) => {
             drawn(kind_of(*function), point, operands.iter().map(value))
         }

@@ -1,8 +1,8 @@
-//! Constructors: each brings its node into the one form that [`Graph`]'s invariants name.
+//! Constructors: each brings its node into the one form that [`Graph`]'s invariants name, or leaves it as it is written.
 
 use super::{
-    ExprId, Factors, Function, Graph, NamedConstant, Node, Operands, Rational, SymbolId, Terms,
-    rational, whole,
+    ExprId, Factors, Function, Graph, LARGEST_EXPONENT, MOST_BITS, NamedConstant, Node, Operands,
+    Rational, SymbolId, Terms, rational, whole,
 };
 
 impl Graph {
@@ -37,6 +37,9 @@ impl Graph {
     /// Σ coefficient · operand. Equal operands are collected; a sum among the operands is opened only where that
     /// leaves no more terms than it had, as in (a + b) − b.
     pub fn sum(&mut self, terms: impl IntoIterator<Item = (ExprId, Rational)>) -> ExprId {
+        if self.is_as_written {
+            return self.written_sum(terms);
+        }
         let mut closed = Terms::new();
         for (operand, coefficient) in terms {
             self.open_multiple(&mut closed, operand, coefficient);
@@ -47,10 +50,11 @@ impl Graph {
         if closed.iter().any(is_sum) {
             let mut opened = Terms::new();
             for (operand, coefficient) in &closed {
-                match self.node(*operand) {
+                match self.node(*operand).clone() {
                     Node::Sum(inner) => {
                         for (term, q) in inner {
-                            self.open_multiple(&mut opened, *term, coefficient * q);
+                            let coefficient = self.gathered(coefficient, &q, 1);
+                            self.open_multiple(&mut opened, term, coefficient);
                         }
                     }
                     _ => self.open_multiple(&mut opened, *operand, coefficient.clone()),
@@ -65,14 +69,83 @@ impl Graph {
     }
 
     /// Adds a term: of a number as a multiple of 1, of a multiple as one of what it is of.
-    fn open_multiple(&self, terms: &mut Terms, operand: ExprId, coefficient: Rational) {
-        match self.node(operand) {
-            Node::Number(value) => terms.push((self.one(), value * &coefficient)),
-            Node::Sum(inner) if inner.len() == 1 => {
-                self.open_multiple(terms, inner[0].0, &inner[0].1 * &coefficient);
-            }
-            _ => terms.push((operand, coefficient)),
+    fn open_multiple(&mut self, terms: &mut Terms, operand: ExprId, coefficient: Rational) {
+        let (operand, inner) = match self.node(operand) {
+            Node::Number(value) => (self.one(), value.clone()),
+            // What is a multiple is none of a multiple.
+            Node::Sum(inner) if inner.len() == 1 => inner[0].clone(),
+            _ => return terms.push((operand, coefficient)),
+        };
+        let coefficient = self.gathered(&inner, &coefficient, 1);
+        terms.push((operand, coefficient));
+    }
+
+    /// A constant times a power of another, unless it is longer than any that is gathered: then the graph is of no use.
+    fn gathered(&mut self, constant: &Rational, other: &Rational, exponent: i32) -> Rational {
+        let bits = |value: &Rational| if value.is_unit() { 0 } else { value.bits() };
+        let power = bits(other).saturating_mul(exponent.unsigned_abs().into());
+        if bits(constant).saturating_add(power) > MOST_BITS {
+            self.is_exceeded = true;
+            return constant.clone();
         }
+        constant * &other.pow(exponent)
+    }
+
+    /// An exponent, unless it is larger than any: then the graph is of no use.
+    fn bounded(&mut self, exponent: Option<i32>) -> i32 {
+        let bounds = -LARGEST_EXPONENT..=LARGEST_EXPONENT;
+        exponent
+            .filter(|it| bounds.contains(it))
+            .unwrap_or_else(|| {
+                self.is_exceeded = true;
+                1
+            })
+    }
+
+    /// A sum as its author wrote it. Of one term with the coefficient 1 it is that term.
+    fn written_sum(&mut self, terms: impl IntoIterator<Item = (ExprId, Rational)>) -> ExprId {
+        let is_zero = |graph: &Self, id| graph.as_number(id).is_some_and(Rational::is_zero);
+        let mut kept: Terms = terms.into_iter().collect();
+        // Derivatives add nothing from what they do not depend on; a sum that the author wrote keeps its zeros' signs.
+        kept.retain(|(operand, q)| !q.is_zero() && (q.is_one() || !is_zero(self, *operand)));
+        match kept.as_slice() {
+            [] => self.number(Rational::ZERO),
+            [(operand, q)] if q.is_one() => *operand,
+            [(operand, q)] if *operand == self.one() => {
+                let q = q.clone();
+                self.number(q)
+            }
+            _ => self.intern(Node::Sum(kept)),
+        }
+    }
+
+    /// A product as its author wrote it; factors of 1 and −1 are left out, and one of 0, which
+    /// derivatives have, makes it 0.
+    fn written_product(&mut self, factors: impl IntoIterator<Item = (ExprId, i32)>) -> ExprId {
+        let one = self.one();
+        let (mut product, mut sign) = (None, Rational::ONE);
+        for (operand, exponent) in factors {
+            match self.as_number(operand) {
+                _ if exponent == 0 => continue,
+                Some(value) if value.is_unit() => {
+                    sign *= &value.pow(exponent);
+                    continue;
+                }
+                Some(value) if value.is_zero() && exponent > 0 => {
+                    return self.number(Rational::ZERO);
+                }
+                _ => {}
+            }
+            product = Some(match product {
+                None if exponent == 1 => operand,
+                None => self.intern(Node::Product(Factors::from_slice(&[(operand, exponent)]))),
+                Some(left) => {
+                    let both = Factors::from_slice(&[(left, 1), (operand, exponent)]);
+                    self.intern(Node::Product(both))
+                }
+            });
+        }
+        self.written_sum([(product.unwrap_or(one), sign)])
     }
 
     fn finish_sum(&mut self, terms: Terms) -> ExprId {
@@ -89,6 +162,9 @@ impl Graph {
 
     /// Π operand^exponent. Products among the operands are opened, rational factors gathered in front.
     pub fn product(&mut self, factors: impl IntoIterator<Item = (ExprId, i32)>) -> ExprId {
+        if self.is_as_written {
+            return self.written_product(factors);
+        }
         let mut coefficient = Rational::ONE;
         let mut powers = Factors::new();
         for (operand, exponent) in factors {
@@ -118,11 +194,13 @@ impl Graph {
         }
         match self.node(operand) {
             Node::Number(value) if !value.is_zero() || exponent > 0 => {
-                *coefficient *= &value.pow(exponent);
+                let value = value.clone();
+                *coefficient = self.gathered(coefficient, &value, exponent);
             }
             Node::Product(inner) => {
                 for (factor, power) in inner.clone() {
-                    self.collect_factor(coefficient, powers, factor, power * exponent);
+                    let power = self.bounded(power.checked_mul(exponent));
+                    self.collect_factor(coefficient, powers, factor, power);
                 }
             }
             Node::Sum(terms) => {
@@ -131,9 +209,9 @@ impl Graph {
                     powers.push((operand, exponent));
                     return;
                 }
-                *coefficient *= &content.pow(exponent);
                 let over = |(operand, q): &(ExprId, Rational)| (*operand, q / &content);
                 let terms: Terms = terms.iter().map(over).collect();
+                *coefficient = self.gathered(coefficient, &content, exponent);
                 let primitive = self.sum(terms);
                 self.collect_factor(coefficient, powers, primitive, exponent);
             }

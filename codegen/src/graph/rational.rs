@@ -132,6 +132,17 @@ impl Rational {
         }
     }
 
+    /// Binary digits of the longer of numerator and denominator.
+    pub fn bits(&self) -> u64 {
+        match &self.0 {
+            Small(numerator, denominator) => {
+                let longer = numerator.unsigned_abs().max(denominator.get());
+                u64::from(u64::BITS - longer.leading_zeros())
+            }
+            Large(value) => value.numer().bits().max(value.denom().bits()),
+        }
+    }
+
     /// The number, where it is whole and small.
     pub fn to_i64(&self) -> Option<i64> {
         match &self.0 {
@@ -209,6 +220,11 @@ impl Rational {
             -1 => Self::ONE / self,
             _ => Self::of_big(Pow::pow(&self.to_big(), exponent)),
         }
+    }
+
+    /// The number that a number of double precision is; None where that is not finite.
+    pub fn of_f64(value: f64) -> Option<Self> {
+        BigRational::from_float(value).map(Self::of_big)
     }
 
     /// The nearest number of double precision.

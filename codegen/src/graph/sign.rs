@@ -202,7 +202,7 @@ impl Graph {
             },
             Function::Abs => sign(0).squared(),
             Function::Exp => Sign::POSITIVE,
-            Function::Sign => Sign {
+            Function::Sign | Function::Side => Sign {
                 negative: sign(0).negative,
                 zero: false,
                 positive: sign(0).positive || sign(0).zero,
@@ -220,6 +220,7 @@ impl Graph {
                 either
             }
             Function::Select => sign(2).or(sign(3)),
+            Function::MulAdd => sign(0).times(sign(1)).plus(sign(2)),
             Function::Sin | Function::Cos | Function::Tan | Function::Ln => Sign::UNKNOWN,
         }
     }

@@ -2,11 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use proc_macro2::TokenStream;
-use syn::parse::Parser;
-use syn::punctuated::Punctuated;
 use syn::spanned::Spanned;
-use syn::{Expr, Lit, Token};
+use syn::{Expr, Lit};
 
 use super::piece::braced;
 use crate::diagnostics::Diagnostics;
@@ -31,30 +28,9 @@ pub struct Symbols {
 }
 
 impl Symbols {
-    /// Reads the attribute of a module; what can't be read is reported at its place.
-    pub fn read(attribute: TokenStream, diagnostics: &mut Diagnostics) -> Self {
+    /// Reads the entries of a module's table; what can't be read is reported at its place.
+    pub fn read(entries: &[Expr], diagnostics: &mut Diagnostics) -> Self {
         let mut symbols = Self::default();
-        match Punctuated::<Expr, Token![,]>::parse_terminated.parse2(attribute) {
-            Ok(words) => words
-                .iter()
-                .for_each(|word| symbols.read_word(word, diagnostics)),
-            Err(error) => diagnostics.syntax(&error, EXAMPLE),
-        }
-        symbols
-    }
-
-    fn read_word(&mut self, word: &Expr, diagnostics: &mut Diagnostics) {
-        let entries = match word {
-            Expr::Call(call) if name(&call.func).is_some_and(|name| name == "latex") => &call.args,
-            _ => {
-                diagnostics.error_with_hint(
-                    word.span(),
-                    "`symbolic` takes a table of symbols and nothing else",
-                    EXAMPLE,
-                );
-                return;
-            }
-        };
         for entry in entries {
             let parts = match entry {
                 Expr::Assign(assign) => name(&assign.left).zip(text(&assign.right)),
@@ -68,7 +44,7 @@ impl Symbols {
                         "each { is closed by a } behind it",
                     );
                 }
-                Some((name, _)) if self.table.contains_key(&name) => {
+                Some((name, _)) if symbols.table.contains_key(&name) => {
                     diagnostics.error_with_hint(
                         entry.span(),
                         format!("`{name}` has a symbol already"),
@@ -76,13 +52,14 @@ impl Symbols {
                     );
                 }
                 Some((name, latex)) => {
-                    self.table.insert(name, latex);
+                    symbols.table.insert(name, latex);
                 }
                 None => {
                     diagnostics.error_with_hint(entry.span(), "not a name and its symbol", EXAMPLE)
                 }
             }
         }
+        symbols
     }
 
     /// A name in LaTeX: from the table, else by rule.

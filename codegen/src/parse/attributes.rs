@@ -1,6 +1,7 @@
 //! What is asked of a function: `#[generate]`, `#[domain]`, `#[approximate]`, `#[specialise]`.
 
 mod approximation;
+pub mod of_module;
 
 use proc_macro2::Span;
 use syn::parse::Parser;

@@ -1,7 +1,7 @@
 //! Follows a function's statements with expressions in place of numbers.
 
 mod calls;
-pub mod held;
+mod chains;
 mod methods;
 mod result;
 mod statements;
@@ -11,7 +11,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use proc_macro2::Span;
 use syn::spanned::Spanned;
-use syn::{BinOp, Expr, Lit, UnOp};
+use syn::{Expr, Lit};
 
 use super::attributes::Approximation;
 use super::literal;
@@ -19,13 +19,16 @@ use super::module::{Function, Module, ParameterKind};
 use super::numbers;
 use super::value::Value;
 use crate::diagnostics::{Diagnostics, nearest};
-use crate::graph::{ExprId, Graph, Node, Rational, SymbolId, whole};
+use crate::graph::{ExprId, Graph, Node, Role, SymbolId};
 use crate::tables::Tables;
 
 /// Names in scope; those whose value could not be read, which is reported, have none.
 type Scope = BTreeMap<String, Option<Value>>;
 
-/// Reads bodies of one module's functions into one graph.
+/// How deep calls of formulas within formulas may go: each is followed on the stack.
+const DEEPEST_CALL: usize = 256;
+
+/// Reads bodies of one module's functions into one graph, operation by operation as they are written.
 pub struct Reader<'m> {
     module: &'m Module,
     tables: &'m mut Tables,
@@ -39,31 +42,27 @@ pub struct Reader<'m> {
     pub partials: BTreeSet<(String, String)>,
     /// The numbers of parameters that the source names, whatever becomes of them.
     pub named: BTreeSet<SymbolId>,
-    /// Named products, where they are held: see [`held`].
-    pub definitions: Option<held::Definitions>,
+    /// How many calls are being followed.
+    depth: usize,
+    /// The values of expressions that depend on no input, by position, as far as they were asked for.
+    constants: Vec<Option<f64>>,
 }
 
 impl<'m> Reader<'m> {
     /// A reader with an empty graph.
     pub fn new(module: &'m Module, tables: &'m mut Tables) -> Self {
+        let mut graph = Graph::as_written();
+        graph.sizes = module.sizes;
         Self {
             module,
             tables,
-            graph: Graph::new(),
+            graph,
             diagnostics: Diagnostics::default(),
             integrals: 0,
             partials: BTreeSet::new(),
             named: BTreeSet::new(),
-            definitions: None,
-        }
-    }
-
-    /// A reader that holds named products, with the symbols and tables of a graph.
-    pub fn holding(module: &'m Module, tables: &'m mut Tables, graph: &Graph) -> Self {
-        Self {
-            graph: Graph::with_symbols_of(graph),
-            definitions: Some(Vec::new()),
-            ..Self::new(module, tables)
+            depth: 0,
+            constants: Vec::new(),
         }
     }
 
@@ -76,7 +75,7 @@ impl<'m> Reader<'m> {
             }
         }
         self.assume_domain(function);
-        let arguments = self.symbolic_arguments(function, "");
+        let arguments = self.symbolic_arguments(function, &Role::Input);
         let value = if function.readable && function.approximation.is_some() {
             let name = function.item.sig.ident.span();
             self.call_or_table(function, arguments, name)?
@@ -92,7 +91,7 @@ impl<'m> Reader<'m> {
 
     /// The result of the function's own body, also where calls of it go through a table.
     pub fn read_body(&mut self, function: &Function) -> Option<Value> {
-        let arguments = self.symbolic_arguments(function, "");
+        let arguments = self.symbolic_arguments(function, &Role::Input);
         self.call(function, arguments)
     }
 
@@ -132,14 +131,14 @@ impl<'m> Reader<'m> {
         }
     }
 
-    fn symbolic_arguments(&mut self, function: &Function, prefix: &str) -> Vec<Value> {
+    fn symbolic_arguments(&mut self, function: &Function, role: &Role) -> Vec<Value> {
         let symbol = |graph: &mut Graph, name: String| {
-            let id = graph.symbol_named(&name);
+            let id = graph.symbol_of(role.clone(), &name);
             Value::Number(graph.symbol_expression(id))
         };
         let mut arguments = Vec::new();
         for parameter in &function.parameters {
-            let name = format!("{prefix}{}", parameter.name);
+            let name = parameter.name.to_string();
             arguments.push(match parameter.kind {
                 ParameterKind::Number => symbol(&mut self.graph, name),
                 ParameterKind::Array(length) => Value::Array(
@@ -149,6 +148,7 @@ impl<'m> Reader<'m> {
                 ),
                 ParameterKind::Struct => Value::Parameter {
                     path: name,
+                    role: role.clone(),
                     fields: self.module.fields_of(&parameter.ty).map(<[_]>::to_vec),
                     replaced: Vec::new(),
                 },
@@ -159,6 +159,22 @@ impl<'m> Reader<'m> {
 
     /// The function's result for these arguments.
     fn call(&mut self, function: &Function, arguments: Vec<Value>) -> Option<Value> {
+        if self.depth == DEEPEST_CALL {
+            let hint = "give the value between two calls as a parameter of a function of its own";
+            self.diagnostics.error_with_hint(
+                function.item.sig.ident.span(),
+                format!("calls of formulas go deeper than {DEEPEST_CALL}"),
+                hint,
+            );
+            return None;
+        }
+        self.depth += 1;
+        let result = self.followed(function, arguments);
+        self.depth -= 1;
+        result
+    }
+
+    fn followed(&mut self, function: &Function, arguments: Vec<Value>) -> Option<Value> {
         let names = function
             .parameters
             .iter()
@@ -171,29 +187,24 @@ impl<'m> Reader<'m> {
     }
 
     fn expression(&mut self, expression: &Expr, scope: &mut Scope) -> Option<Value> {
+        self.chain(expression, scope)
+    }
+
+    /// An expression that begins with no other expression.
+    fn first(&mut self, expression: &Expr, scope: &mut Scope) -> Option<Value> {
         match expression {
             Expr::Lit(literal) => self.literal(&literal.lit),
             Expr::Path(path) => self.path(&path.path, scope),
-            Expr::Paren(inner) => self.expression(&inner.expr, scope),
-            Expr::Group(inner) => self.expression(&inner.expr, scope),
-            Expr::Reference(inner) => self.expression(&inner.expr, scope),
             Expr::Block(inner) => self.block(&inner.block, &mut scope.clone(), false),
-            Expr::Unary(unary) => match unary.op {
-                UnOp::Deref(_) => self.expression(&unary.expr, scope),
-                UnOp::Neg(_) => {
-                    let operand = self.number(&unary.expr, scope)?;
-                    Some(Value::Number(self.graph.negate(operand)))
-                }
-                _ => self.unsupported(expression.span(), "`!`", "formulas have no logical values"),
-            },
-            Expr::Binary(binary) => self.binary(binary, scope),
-            Expr::MethodCall(call) => self.method(call, scope),
             Expr::Call(call) => self.function_call(call, scope),
             Expr::Field(field) => self.field(field, scope),
             Expr::Index(index) => self.element(index, scope),
             Expr::Tuple(tuple) => self.all(tuple.elems.iter(), scope).map(Value::Tuple),
             Expr::Array(array) => self.all(array.elems.iter(), scope).map(Value::Array),
             Expr::Struct(literal) => self.struct_literal(literal, scope),
+            Expr::Unary(_) => {
+                self.unsupported(expression.span(), "`!`", "formulas have no logical values")
+            }
             other => self.unsupported_expression(other),
         }
     }
@@ -223,7 +234,13 @@ impl<'m> Reader<'m> {
 
     /// Evaluates an expression that must be one number.
     fn number(&mut self, expression: &Expr, scope: &mut Scope) -> Option<ExprId> {
-        match self.expression(expression, scope)? {
+        let value = self.expression(expression, scope)?;
+        self.number_of(value, expression)
+    }
+
+    /// The one number that the value of an expression must be.
+    fn number_of(&mut self, value: Value, expression: &Expr) -> Option<ExprId> {
+        match value {
             Value::Number(id) => Some(id),
             other => {
                 let message = format!("a number is needed here, this is {}", other.description());
@@ -320,59 +337,6 @@ impl<'m> Reader<'m> {
         None
     }
 
-    fn binary(&mut self, binary: &syn::ExprBinary, scope: &mut Scope) -> Option<Value> {
-        match binary.op {
-            BinOp::Add(_) | BinOp::Sub(_) => {
-                let mut terms = Vec::new();
-                self.terms(binary, scope, &mut terms);
-                let terms: Option<Vec<_>> = terms.into_iter().collect();
-                Some(Value::Number(self.graph.sum(terms?)))
-            }
-            BinOp::Mul(_) | BinOp::Div(_) => {
-                let (left, right) = (
-                    self.number(&binary.left, scope),
-                    self.number(&binary.right, scope),
-                );
-                let (left, right) = (left?, right?);
-                let result = if matches!(binary.op, BinOp::Mul(_)) {
-                    self.graph.multiply(left, right)
-                } else {
-                    self.graph.divide(left, right)
-                };
-                self.of_bounded_size(result, binary.span())
-            }
-            _ => self.unsupported(
-                binary.op.span(),
-                "this operator",
-                "the operators are + - * /",
-            ),
-        }
-    }
-
-    /// The terms of a chain `a + b - c`; parentheses close a sum, for they say how its author wants it rounded.
-    fn terms(
-        &mut self,
-        binary: &syn::ExprBinary,
-        scope: &mut Scope,
-        terms: &mut Vec<Option<(ExprId, Rational)>>,
-    ) {
-        match binary.left.as_ref() {
-            Expr::Binary(left) if matches!(left.op, BinOp::Add(_) | BinOp::Sub(_)) => {
-                self.terms(left, scope, terms)
-            }
-            left => terms.push(self.number(left, scope).map(|id| (id, whole(1)))),
-        }
-        let sign = if matches!(binary.op, BinOp::Sub(_)) {
-            -1
-        } else {
-            1
-        };
-        terms.push(
-            self.number(&binary.right, scope)
-                .map(|id| (id, whole(sign))),
-        );
-    }
-
     fn element(&mut self, index: &syn::ExprIndex, scope: &mut Scope) -> Option<Value> {
         let base = self.expression(&index.expr, scope)?;
         let Expr::Lit(syn::ExprLit {
@@ -417,7 +381,7 @@ impl<'m> Reader<'m> {
     }
 }
 
-/// `c.beta` as an identifier: `c_beta`; `a[0]`: `a_0`; `r#type`, which only stands alone: `type_`.
+/// `c.beta` as an identifier: `c_beta`; `a[0]`: `a_0`; `r#type`: `type_`.
 pub fn identifier(symbol: &str) -> String {
     let name = symbol
         .replace("r#", "")

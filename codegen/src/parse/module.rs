@@ -12,7 +12,7 @@ use super::attributes::{Approximation, FunctionAttributes, OWN, Request, Special
 use super::imports::Imports;
 use super::{cycles, numbers, signature, specialise};
 use crate::diagnostics::Diagnostics;
-use crate::graph::Sign;
+use crate::graph::{Sign, Sizes};
 
 /// A module of formulas.
 #[derive(Debug)]
@@ -29,6 +29,8 @@ pub struct Module {
     pub cyclic_constants: BTreeSet<String>,
     /// Its structs: name and fields.
     pub structs: Vec<(String, Vec<String>)>,
+    /// How large the numbers are that its functions are given.
+    pub sizes: Sizes,
 }
 
 /// A function of the module.
@@ -130,6 +132,7 @@ impl Module {
             imports: Imports::default(),
             cyclic_constants: BTreeSet::new(),
             structs: Vec::new(),
+            sizes: Sizes::All,
         };
         let Some((_, items)) = &mut item.content else {
             diagnostics.error_with_hint(

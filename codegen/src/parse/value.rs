@@ -1,6 +1,6 @@
 //! What an expression of the source stands for while a function's body is followed.
 
-use crate::graph::ExprId;
+use crate::graph::{ExprId, Role};
 
 /// A number, or numbers under the names and places that the source gives them.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,6 +22,8 @@ pub enum Value {
     Parameter {
         /// The parameter's name.
         path: String,
+        /// What its symbols stand for.
+        role: Role,
         /// Its fields, where the struct is one of the module.
         fields: Option<Vec<String>>,
         /// Fields that have another value: `S { field: a, ..path }`.

@@ -60,6 +60,9 @@ fn factored(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
 
 /// The sum as one quotient, where all its terms divide by the same and by nothing else: x/r + y/r is (x + y)/r.
 pub fn over_common_divisor(graph: &mut Graph, id: ExprId) -> ExprId {
+    if graph.is_as_written() {
+        return id;
+    }
     let Node::Sum(terms) = graph.node(id).clone() else {
         return id;
     };

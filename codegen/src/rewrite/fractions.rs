@@ -96,7 +96,7 @@ pub(super) fn nested_fraction(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
                     .into_iter()
                     .map(|(factor, power)| (factor, -power * exponent)),
             );
-            return Some(product(graph, changed));
+            return joined(graph, changed);
         }
     }
     None
@@ -116,10 +116,22 @@ pub(super) fn nested_absolute_fraction(graph: &mut Graph, id: ExprId) -> Option<
             for (factor, power) in denominator {
                 changed.push((applied(graph, Function::Abs, factor), -power * exponent));
             }
-            return Some(product(graph, changed));
+            return joined(graph, changed);
         }
     }
     None
+}
+
+/// Fractions of fractions are joined up to so many factors, powers counted as often: in a chain of quotients each of which stands
+/// in the next they would double with every one.
+const MOST_FACTORS: u32 = 16;
+
+/// A product of fractions that were joined, where it is no longer than that.
+fn joined(graph: &mut Graph, factors: Factors) -> Option<ExprId> {
+    let id = product(graph, factors);
+    let length =
+        |factors: &[(ExprId, i32)]| factors.iter().map(|(_, n)| n.unsigned_abs()).sum::<u32>();
+    (length(&parts(graph, id).1) <= MOST_FACTORS).then_some(id)
 }
 
 /// A product by its factors.

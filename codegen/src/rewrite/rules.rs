@@ -295,7 +295,11 @@ fn one_of_equals(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
         Node::Apply(Function::Min | Function::Max, operands) if operands[0] == operands[1] => {
             Some(operands[0])
         }
-        Node::Apply(Function::Select, operands) if operands[2] == operands[3] => Some(operands[2]),
+        Node::Apply(Function::Select, operands)
+            if operands[0] == operands[1] || operands[2] == operands[3] =>
+        {
+            Some(operands[2])
+        }
         _ => None,
     }
 }
@@ -312,10 +316,10 @@ fn extreme_by_sign(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
     let larger_first = match function {
         Function::Min => false,
         Function::Max => true,
-        Function::Select if not_below(b, a) => return Some(operands[2]),
-        Function::Select if not_below(a, b) && graph.sign(a) != graph.sign(b) => {
-            let apart = graph.sign(a).is_positive() || !graph.sign(b).zero;
-            return apart.then_some(operands[3]);
+        Function::Select => {
+            // Two that are never equal.
+            let apart = |x, y| not_below(x, y) && !(graph.sign(x).zero && graph.sign(y).zero);
+            return (apart(a, b) || apart(b, a)).then_some(operands[3]);
         }
         _ => return None,
     };
@@ -342,8 +346,8 @@ fn value_at_number(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
         Function::Sqrt if value.is_zero() => whole(0),
         Function::Sqrt => exact_root(&value)?,
         Function::Abs => value.abs(),
-        Function::Sign if value.is_negative() => whole(-1),
-        Function::Sign => whole(1),
+        Function::Sign | Function::Side if value.is_negative() => whole(-1),
+        Function::Sign | Function::Side => whole(1),
         Function::Min | Function::Max => {
             let other = graph.as_number(operands[1])?.clone();
             if function == Function::Min {

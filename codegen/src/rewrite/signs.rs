@@ -1,14 +1,22 @@
 //! Rules of sizes and signs.
 //!
-//! A sign here is the derivative of a size: at 0, where that has none, it is the one-sided derivative that
-//! `f64::signum` gives, 1 at `0.0` and −1 at `-0.0`. So the sign of a product is the product of the signs even there, and
-//! where a number is known not to be negative its sign is 1, as if it were above 0.
+//! There are two signs: that of `f64::signum`, 1 at `0.0` and −1 at `-0.0`, so that the sign of a product is the product of
+//! the signs even there; and the side of zero, the derivative of a size, which is 1 at both. Of neither anything is known at
+//! 0 but that it is 1 or −1, and where a number is known not to be negative its sign is 1, as if it were above 0.
 
 use num_traits::Signed;
 
 use super::rules::{operand_of, parts, scaled};
 use super::{applied, product};
 use crate::graph::{ExprId, Factors, Function, Graph, Node};
+
+/// What an expression is the sign of, of either kind.
+fn signed(graph: &Graph, id: ExprId) -> Option<ExprId> {
+    let kinds = [Function::Sign, Function::Side];
+    kinds
+        .into_iter()
+        .find_map(|kind| operand_of(graph, id, kind))
+}
 
 /// The square of a sign is 1.
 pub(super) fn power_of_sign(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
@@ -17,7 +25,7 @@ pub(super) fn power_of_sign(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
     };
     let mut changed = factors.clone();
     for (factor, exponent) in &mut changed {
-        if operand_of(graph, *factor, Function::Sign).is_some() {
+        if signed(graph, *factor).is_some() {
             *exponent = exponent.rem_euclid(2);
         }
     }
@@ -30,8 +38,7 @@ pub(super) fn number_by_sign(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
         return None;
     };
     for (sign, exponent) in &factors {
-        let Some(number) = operand_of(graph, *sign, Function::Sign).filter(|_| *exponent == 1)
-        else {
+        let Some(number) = signed(graph, *sign).filter(|_| *exponent == 1) else {
             continue;
         };
         let power = factors.iter().find(|(factor, _)| *factor == number);
@@ -112,7 +119,15 @@ pub(super) fn sign_by_size(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
             continue;
         };
         let step = exponent.signum();
-        let sign = graph.apply(Function::Sign, vec![number]);
+        let beside = factors.iter().map(|(factor, _)| *factor);
+        let known = beside
+            .filter(|factor| signed(graph, *factor) == Some(number))
+            .min();
+        let sign = match known {
+            Some(known) => known,
+            // At 0 the quotient is no number, so that any sign will do.
+            None => graph.apply(Function::Sign, [number].as_slice()),
+        };
         let mut changed = factors.clone();
         if power(sign) % 2 != 0 && step > 0 {
             changed.extend([(*size, -step), (sign, -power(sign)), (number, step)]);
@@ -128,6 +143,9 @@ pub(super) fn sign_by_size(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
 
 /// The sign of a product without the factors whose sign is known.
 pub(super) fn sign_of_product(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
+    if let Some(operand) = operand_of(graph, id, Function::Side) {
+        return side_of_multiple(graph, operand);
+    }
     let operand = operand_of(graph, id, Function::Sign)?;
     let (coefficient, factors) = parts(graph, operand);
     let mut negative = coefficient.is_negative();
@@ -151,8 +169,23 @@ pub(super) fn sign_of_product(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
     Some(if negative { graph.negate(sign) } else { sign })
 }
 
+/// The side of a multiple without positive factors; a negative one changes what the side of 0 is.
+fn side_of_multiple(graph: &mut Graph, operand: ExprId) -> Option<ExprId> {
+    let (coefficient, factors) = parts(graph, operand);
+    let unknown: Factors = factors
+        .iter()
+        .filter(|(factor, _)| !graph.sign(*factor).is_positive())
+        .copied()
+        .collect();
+    if coefficient.is_unit() && unknown == factors || unknown.is_empty() {
+        return None;
+    }
+    let left = scaled(graph, coefficient.signum(), unknown);
+    Some(applied(graph, Function::Side, left))
+}
+
 pub(super) fn sign_of_known_sign(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
-    let sign = graph.sign(operand_of(graph, id, Function::Sign)?);
+    let sign = graph.sign(signed(graph, id)?);
     if sign.is_not_negative() {
         Some(graph.one())
     } else if sign.is_negative() {
@@ -176,9 +209,9 @@ pub(super) fn root_bounds_operand(graph: &mut Graph, id: ExprId) -> Option<ExprI
         .collect();
     let mut changed = Factors::new();
     for (factor, exponent) in &factors {
-        let of =
-            |function| operand_of(graph, *factor, function).filter(|inner| bounded.contains(inner));
-        match (of(Function::Abs), of(Function::Sign)) {
+        let is_bounded = |inner: &ExprId| bounded.contains(inner);
+        let size = operand_of(graph, *factor, Function::Abs).filter(is_bounded);
+        match (size, signed(graph, *factor).filter(is_bounded)) {
             (Some(inner), _) => changed.push((inner, *exponent)),
             (None, Some(_)) => {}
             (None, None) => changed.push((*factor, *exponent)),

@@ -111,16 +111,9 @@ impl Bounded {
         }
     }
 
-    /// Where `a ≤ b`, one, else the other; unknown where rounding may decide otherwise.
+    /// Where `a = b`, one, else the other: generated code compares an extreme with what it may be, so that it is one of them.
     pub fn choose(a: Self, b: Self, first: Self, second: Self) -> Self {
-        let chosen = if a.value <= b.value { first } else { second };
-        let decided = (a.value - b.value).abs() > a.error + b.error
-            || (a.error + b.error == 0.0 && a.value == b.value);
-        if decided || first.value == second.value {
-            chosen
-        } else {
-            Self::unknown(chosen.value)
-        }
+        if a.value == b.value { first } else { second }
     }
 
     /// An elementary function by its name as a method of `f64`.
@@ -150,7 +143,11 @@ impl Bounded {
             ("recip", [x]) => Self::exact(1.0).over(*x),
             ("signum", [x]) if x.value.abs() > x.error => Self::exact(x.value.signum()),
             ("signum", [x]) => Self::unknown(x.value.signum()),
-            ("mul_add", [x, y, z]) => x.times(*y).plus(*z),
+            ("mul_add", [x, y, z]) => Self {
+                value: x.value.mul_add(y.value, z.value),
+                ..x.times(*y).plus(*z)
+            },
+            ("copysign", [x, y]) => Self::exact(x.value.copysign(y.value)),
             ("min", [x, y]) => Self {
                 value: x.value.min(y.value),
                 error: x.error.max(y.error),
@@ -196,6 +193,8 @@ impl Number for Bounded {
             (Function::Ln, _) => "ln",
             (Function::Abs, _) => "abs",
             (Function::Sign, _) => "signum",
+            (Function::Side, [x]) => return Self::exact(f64::apply(Function::Side, &[x.value])),
+            (Function::MulAdd, _) => "mul_add",
             (Function::Min, _) => "min",
             _ => "max",
         };

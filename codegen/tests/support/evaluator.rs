@@ -191,7 +191,7 @@ impl Source {
         let Expr::Binary(condition) = choice.cond.as_ref() else {
             panic!("condition {:?}", choice.cond)
         };
-        assert!(matches!(condition.op, BinOp::Le(_)));
+        assert!(matches!(condition.op, BinOp::Eq(_)));
         let (a, b) = (
             self.number(&condition.left, scope),
             self.number(&condition.right, scope),

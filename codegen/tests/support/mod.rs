@@ -7,12 +7,11 @@ pub mod formulas;
 
 use codegen::diagnostics::Diagnostics;
 use codegen::emit::scalar::Form;
-use codegen::expand::{Expansion, Formula, Generated, derive};
+use codegen::expand::{Expansion, Formula, Generated, derive, derive_written};
 use codegen::factor::{self, circuit::Circuit};
-use codegen::graph::SymbolId;
+use codegen::graph::{Sizes, SymbolId};
 use codegen::parse::body::Reader;
 use codegen::parse::module::Module;
-use codegen::rewrite;
 use codegen::tables::Tables;
 
 /// The module in a source text.
@@ -20,17 +19,26 @@ pub fn parsed(source: &str) -> syn::ItemMod {
     syn::parse_str(source).unwrap_or_else(|error| panic!("{error} in\n{source}"))
 }
 
-/// The module of a source text, read, without mistakes.
+/// Sizes of numbers that leave the generator free to choose a form.
+pub const EVERYDAY: Sizes = Sizes::Within {
+    smallest: 1e-9,
+    largest: 1e9,
+};
+
+/// The module of a source text, read, without mistakes, whose numbers are of everyday sizes.
 pub fn module(source: &str) -> Module {
     let mut diagnostics = Diagnostics::default();
-    let module = Module::read(parsed(source), &mut diagnostics);
+    let mut module = Module::read(parsed(source), &mut diagnostics);
+    module.sizes = EVERYDAY;
     assert_eq!(messages(&diagnostics), Vec::<String>::new(), "{source}");
     module
 }
 
-/// The expansion of a source text without mistakes.
+/// The expansion of a source text without mistakes, whose numbers are of everyday sizes.
 pub fn expansion(source: &str) -> Expansion {
-    let expansion = Expansion::of(parsed(source));
+    let attribute = quote::quote!(sizes = 1e-9..=1e9);
+    let mut expansion = Expansion::unread(attribute, parsed(source));
+    expansion.read_all();
     assert_eq!(
         messages(&expansion.diagnostics),
         Vec::<String>::new(),
@@ -59,16 +67,7 @@ pub fn formula(module: &Module, name: &str) -> Formula {
     let mut reader = Reader::new(module, &mut tables);
     let value = reader.read(module.function(name).unwrap());
     assert_eq!(messages(&reader.diagnostics), Vec::<String>::new());
-    let value = value.unwrap();
-    let numbers: Vec<_> = value.numbers().into_iter().map(|(_, id)| id).collect();
-    let (graph, roots) = rewrite::rewrite(&reader.graph, &numbers);
-    let value = value.with_numbers(&mut roots.iter().copied());
-    Formula {
-        graph,
-        value,
-        roots,
-        held: None,
-    }
+    Formula::of(reader.graph, &value.unwrap(), false)
 }
 
 /// The circuit of one form, by the symbols of these names, by all where there are none.
@@ -85,5 +84,5 @@ pub fn circuit(formula: &Formula, form: Form, by: &[&str]) -> Circuit {
             .collect();
     }
     let (graph, outputs) = derive(formula, form, &by);
-    factor::minimise(&graph, &outputs)
+    factor::minimise(&graph, &outputs, &derive_written(formula, form, &by)).circuit
 }

@@ -10,7 +10,7 @@ use syn::{Expr, Pat};
 
 use super::{Reader, Scope, identifier, partial_symbols};
 use crate::diagnostics::{Diagnostics, alike, nearest};
-use crate::graph::{ExprId, SymbolId};
+use crate::graph::{ExprId, Role, SymbolId};
 use crate::parse::module::{Function, ParameterKind};
 use crate::parse::numbers;
 use crate::parse::value::Value;
@@ -220,16 +220,12 @@ impl<'m> Reader<'m> {
         arguments: Vec<Value>,
         span: Span,
     ) -> Option<Value> {
-        let prefix = format!("{}#", function.name());
-        let placeholders = self.symbolic_arguments(function, &prefix);
+        let role = Role::Argument(function.name().into());
+        let placeholders = self.symbolic_arguments(function, &role);
         for number in numbers::known(self.module, function) {
-            self.graph.symbol_named(&format!("{prefix}{number}"));
+            self.graph.symbol_of(role.clone(), &number);
         }
-        // It is derived by the placeholders, which what is held would hide.
-        let definitions = self.definitions.take();
-        let value = self.call_or_table(function, placeholders, span);
-        self.definitions = definitions;
-        let value = match value? {
+        let value = match self.call_or_table(function, placeholders, span)? {
             Value::Number(id) => id,
             other => {
                 let message = format!(
@@ -246,7 +242,7 @@ impl<'m> Reader<'m> {
             }
         };
         let mut derivative = value;
-        for symbol in self.derived_by(function, partial, &prefix, span)? {
+        for symbol in self.derived_by(function, partial, &role, span)? {
             derivative = crate::differentiate::gradient(&mut self.graph, derivative, &[symbol])
                 .first()
                 .copied()?;
@@ -256,28 +252,28 @@ impl<'m> Reader<'m> {
         let scope: Scope = names.zip(arguments.into_iter().map(Some)).collect();
         let mut replacements = BTreeMap::new();
         for symbol in self.graph.symbols_of(&[derivative]) {
-            let name = self.graph.symbol(symbol).name.clone();
-            if let Some(path) = name.strip_prefix(&prefix) {
-                replacements.insert(symbol, self.resolve(path, &scope, span)?);
+            let placeholder = self.graph.symbol(symbol).clone();
+            if placeholder.role == role {
+                replacements.insert(symbol, self.resolve(&placeholder.name, &scope, span)?);
             }
         }
         let result = self.graph.substitute(&[derivative], &replacements);
         result.first().map(|id| Value::Number(*id))
     }
 
-    /// The symbols, named with the prefix, that a partial is by.
+    /// The symbols of that role that a partial is by.
     fn derived_by(
         &mut self,
         function: &Function,
         partial: &str,
-        prefix: &str,
+        role: &Role,
         span: Span,
     ) -> Option<Vec<SymbolId>> {
         let mut names: Vec<(String, SymbolId)> = Vec::new();
         // Also those that the value does not depend on: the partial by them is zero.
         for (id, symbol) in self.graph.symbols() {
-            if let Some(path) = symbol.name.strip_prefix(prefix) {
-                names.push((identifier(path), id));
+            if symbol.role == *role {
+                names.push((identifier(&symbol.name), id));
             }
         }
         let ways = partial
@@ -304,10 +300,7 @@ impl<'m> Reader<'m> {
                 );
             }
             ways => {
-                let name = |symbol: &SymbolId| {
-                    let name = &self.graph.symbol(*symbol).name;
-                    format!("`{}`", name.strip_prefix(prefix).unwrap_or(name))
-                };
+                let name = |symbol: &SymbolId| format!("`{}`", self.graph.symbol(*symbol).name);
                 let ways: Vec<String> = ways
                     .iter()
                     .map(|by| by.iter().map(name).collect::<Vec<_>>().join(" and "))
@@ -379,7 +372,7 @@ impl<'m> Reader<'m> {
         self.integrals += 1;
         let symbol = self
             .graph
-            .symbol_named(&format!("{variable}@{}", self.integrals));
+            .symbol_of(Role::Variable(self.integrals), &variable);
         let mut inner = scope.clone();
         let value = Value::Number(self.graph.symbol_expression(symbol));
         inner.insert(variable, Some(value));

@@ -6,19 +6,15 @@ use syn::{Expr, Lit, UnOp};
 
 use super::{Reader, Scope};
 use crate::diagnostics::nearest;
-use crate::graph::{ExprId, Function as Elementary, Node, Operands, Rational};
+use crate::graph::{ExprId, Function as Elementary, Node, Operands};
+use crate::interpret::node_value;
 use crate::parse::value::Value;
-
-/// The most binary digits of an exact constant's numerator and denominator, ten times those of any `f64`.
-const MOST_BITS: u64 = 20_000;
-
-/// The largest power of one factor.
-const MOST_POWER: u32 = 10_000;
 
 impl<'m> Reader<'m> {
     pub(super) fn method(
         &mut self,
         call: &syn::ExprMethodCall,
+        receiver: Option<ExprId>,
         scope: &mut Scope,
     ) -> Option<Value> {
         const METHODS: [(&str, usize); 13] = [
@@ -36,7 +32,6 @@ impl<'m> Reader<'m> {
             ("min", 1),
             ("max", 1),
         ];
-        let receiver = self.number(&call.receiver, scope);
         let name = call.method.to_string();
         let Some((_, arity)) = METHODS.into_iter().find(|(method, _)| *method == name) else {
             self.all(call.args.iter(), scope);
@@ -62,7 +57,7 @@ impl<'m> Reader<'m> {
         if name == "powi" {
             let exponent = self.exponent(&call.args[0]);
             let power = self.graph.power(receiver?, exponent?);
-            return self.of_bounded_size(power, call.span());
+            return self.representable(power, call.span());
         }
         let arguments: Vec<Option<ExprId>> = call
             .args
@@ -71,7 +66,7 @@ impl<'m> Reader<'m> {
             .collect();
         let arguments: Vec<ExprId> = arguments.into_iter().collect::<Option<_>>()?;
         let result = self.apply(&name, receiver?, &arguments);
-        self.of_bounded_size(result, call.span())
+        self.representable(result, call.span())
     }
 
     fn unknown_method(&mut self, method: &syn::Ident, known: &[&str]) -> Option<Value> {
@@ -89,40 +84,50 @@ impl<'m> Reader<'m> {
         None
     }
 
-    /// A product or power, unless its exponents or exact constants grow beyond what any formula has.
-    pub(super) fn of_bounded_size(&mut self, id: ExprId, span: Span) -> Option<Value> {
-        let fits = |value: &Rational| {
-            let bits = value.numerator().bits().max(value.denominator().bits());
-            let nearest = || value.to_f64().unwrap_or(f64::NAN);
-            bits <= MOST_BITS && (value.is_zero() || nearest().is_normal())
+    /// A product or power, unless it is one of constants that no `f64` holds: what is gathered from it would be another
+    /// number than what its author computes.
+    pub(super) fn representable(&mut self, id: ExprId, span: Span) -> Option<Value> {
+        let value = self.constant(id);
+        let Node::Product(factors) = self.graph.node(id) else {
+            return Some(Value::Number(id));
         };
-        let bounded = match self.graph.node(id) {
-            Node::Number(value) => fits(value),
-            Node::Product(factors) => factors.iter().all(|(_, exponent)| exponent.unsigned_abs() <= MOST_POWER),
-            Node::Sum(terms) => terms.iter().all(|(operand, coefficient)| {
-                let power = |factors: &[(ExprId, i32)]| factors.iter().all(|(_, n)| n.unsigned_abs() <= MOST_POWER);
-                fits(coefficient) && !matches!(self.graph.node(*operand), Node::Product(factors) if !power(factors))
-            }),
-            _ => true,
-        };
-        if bounded {
-            Some(Value::Number(id))
-        } else {
-            self.unsupported(
-                span,
-                "a power or constant of this size",
-                "constants are gathered exactly, and an f64 holds from 2.2e-308 to 1.8e308",
-            )
+        // What is divided by 0, or multiplied with it, is what the author asks for.
+        let is_ordinary =
+            |(factor, _): &(ExprId, i32)| self.constants[factor.index()].is_none_or(f64::is_normal);
+        if !factors.iter().all(is_ordinary) || value.is_none_or(f64::is_normal) {
+            return Some(Value::Number(id));
         }
+        self.unsupported(
+            span,
+            "a power or constant of this size",
+            "an f64 holds from 2.2e-308 to 1.8e308",
+        )
+    }
+
+    /// The value of an expression that depends on no input.
+    fn constant(&mut self, id: ExprId) -> Option<f64> {
+        while self.constants.len() <= id.index() {
+            let next = self.graph.expression(self.constants.len())?;
+            let known = &self.constants;
+            let is_constant = !matches!(
+                self.graph.node(next),
+                Node::Symbol(_) | Node::Integral { .. }
+            ) && self
+                .graph
+                .operands(next)
+                .iter()
+                .all(|operand| known[operand.index()].is_some());
+            let value = |operand: ExprId| known[operand.index()].unwrap_or(f64::NAN);
+            let value = is_constant.then(|| node_value(&self.graph, next, &[], &value));
+            self.constants.push(value.flatten());
+        }
+        self.constants[id.index()]
     }
 
     fn apply(&mut self, method: &str, receiver: ExprId, arguments: &[ExprId]) -> ExprId {
         let function = match (method, arguments) {
             ("recip", _) => return self.graph.power(receiver, -1),
-            ("mul_add", [factor, summand]) => {
-                let product = self.graph.multiply(receiver, *factor);
-                return self.graph.add(product, *summand);
-            }
+            ("mul_add", _) => Elementary::MulAdd,
             ("sqrt", _) => Elementary::Sqrt,
             ("sin", _) => Elementary::Sin,
             ("cos", _) => Elementary::Cos,

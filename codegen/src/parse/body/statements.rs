@@ -97,7 +97,9 @@ impl<'m> Reader<'m> {
                 if name.by_ref.is_none() && name.mutability.is_none() && name.subpat.is_none() =>
             {
                 let text = name.ident.to_string();
-                let value = value.map(|value| self.named_number(value, &text));
+                if let Some(Value::Number(id)) = value {
+                    self.graph.suggest_name(id, &text);
+                }
                 scope.insert(text, value);
                 Some(())
             }

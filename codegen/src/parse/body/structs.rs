@@ -15,6 +15,7 @@ impl<'m> Reader<'m> {
         let found = match base {
             Value::Parameter {
                 path,
+                role,
                 fields,
                 replaced,
             } => {
@@ -22,7 +23,7 @@ impl<'m> Reader<'m> {
                 if let Some((_, value)) = replaced.into_iter().find(|(name, _)| *name == member) {
                     Some(value)
                 } else if fields.is_none_or(|fields| fields.contains(&member)) {
-                    let id = self.graph.symbol_named(&format!("{path}.{member}"));
+                    let id = self.graph.symbol_of(role, &format!("{path}.{member}"));
                     Some(Value::Number(self.graph.symbol_expression(id)))
                 } else {
                     let known = fields.unwrap_or_default().iter().map(String::as_str);
@@ -73,7 +74,9 @@ impl<'m> Reader<'m> {
                     "use a tuple",
                 );
             };
-            let value = self.named_number(value, &name.to_string());
+            if let Value::Number(id) = value {
+                self.graph.suggest_name(id, &name.to_string());
+            }
             fields.push((name.to_string(), value));
         }
         complete?;
@@ -89,12 +92,14 @@ impl<'m> Reader<'m> {
         match base {
             Some(Value::Parameter {
                 path,
+                role,
                 fields: known,
                 replaced,
             }) => {
                 taken_over(&mut fields, replaced);
                 return Some(Value::Parameter {
                     path,
+                    role,
                     fields: known,
                     replaced: fields,
                 });

@@ -1,0 +1,224 @@
+//! Numbers with a running bound of their rounding error, in units of the last place of 1.
+
+use crate::graph::{Function, NamedConstant, Rational, Table};
+use crate::interpret::double_double::stand_in;
+use crate::interpret::{Number, constant_value};
+
+/// A value with a bound of its error in units of the last place of 1. An infinite value without an error is infinity itself, one
+/// with an infinite error is larger than any number; where the error is NaN, nothing is known of the number.
+#[derive(Clone, Copy, Debug)]
+pub struct Bounded {
+    /// The value, as `f64` arithmetic gives it.
+    pub value: f64,
+    /// The bound.
+    pub error: f64,
+}
+
+/// What a number smaller than any normal one may be off by, in units of the last place of 1.
+const UNDERFLOW: f64 = f64::MIN_POSITIVE / f64::EPSILON;
+
+impl Bounded {
+    /// A number without an error.
+    pub fn exact(value: f64) -> Self {
+        Self { value, error: 0.0 }
+    }
+
+    /// A result that is rounded to the nearest number.
+    fn rounded(value: f64, inherited: f64) -> Self {
+        Self {
+            value,
+            error: inherited + value.abs(),
+        }
+    }
+
+    /// The result of an operation on numbers, of which some may be infinite themselves.
+    fn after(value: f64, inherited: f64, operands: &[Self]) -> Self {
+        if value.is_finite() {
+            return Self::rounded(value, inherited);
+        }
+        let from_infinity = |operand: &Self| operand.value.is_infinite() && operand.error == 0.0;
+        let error = if operands.iter().any(|operand| operand.error.is_nan()) {
+            f64::NAN
+        } else if operands.iter().any(from_infinity) {
+            0.0
+        } else {
+            f64::INFINITY
+        };
+        Self { value, error }
+    }
+
+    /// A result of which nothing is known but what `f64` arithmetic makes of it.
+    fn unknown(value: f64) -> Self {
+        Self {
+            value,
+            error: f64::NAN,
+        }
+    }
+
+    /// A product or quotient of numbers other than 0, which loses digits or all of them below the smallest normal number.
+    fn scaled(value: f64, inherited: f64, operands: &[Self]) -> Self {
+        let mut scaled = Self::after(value, inherited, operands);
+        if value.abs() < f64::MIN_POSITIVE {
+            scaled.error += UNDERFLOW;
+        }
+        scaled
+    }
+
+    /// Whether its error is so large that it may be 0, or of the other sign.
+    fn is_lost(self) -> bool {
+        self.value.is_finite()
+            && self.error * f64::EPSILON >= 0.5 * self.value.abs()
+            && self.error > 0.0
+    }
+
+    fn is_unit(self) -> bool {
+        self.error == 0.0 && self.value.abs() == 1.0
+    }
+
+    /// Whether it has digits to lose.
+    pub fn has_digits(self) -> bool {
+        if self.value == 0.0 {
+            return self.error == 0.0;
+        }
+        self.value.is_finite() && self.error * f64::EPSILON <= 1e-3 * self.value.abs()
+    }
+}
+
+/// A share of an error that is none where there is no error, also of an infinite factor.
+fn share(factor: f64, error: f64) -> f64 {
+    if error == 0.0 || factor == 0.0 {
+        return 0.0;
+    }
+    // A share that is too small for a number is some all the same.
+    let share = factor * error;
+    if share == 0.0 {
+        f64::MIN_POSITIVE
+    } else {
+        share
+    }
+}
+
+/// What a product inherits, the product of both errors included: where digits cancelled it is the larger part.
+fn of_product(x: Bounded, y: Bounded) -> f64 {
+    let second_order = share(x.error, y.error) * f64::EPSILON;
+    share(x.value.abs(), y.error) + share(y.value.abs(), x.error) + second_order
+}
+
+/// A function and its derivative at a value.
+fn smooth(function: Function, x: f64) -> (f64, f64) {
+    match function {
+        Function::Sin => (x.sin(), x.cos()),
+        Function::Cos => (x.cos(), x.sin()),
+        Function::Tan => (x.tan(), 1.0 + x.tan().powi(2)),
+        Function::Exp => (x.exp(), x.exp()),
+        Function::Ln => (x.ln(), x.recip()),
+        _ => (f64::NAN, f64::NAN),
+    }
+}
+
+impl Number for Bounded {
+    fn rational(value: &Rational) -> Self {
+        let nearest = value.to_f64().unwrap_or(f64::NAN);
+        if value.is_integer() && nearest.abs() < 1e15 {
+            return Self::exact(nearest);
+        }
+        let mut rounded = Self::after(nearest, 0.0, &[]);
+        if nearest.abs() < f64::MIN_POSITIVE {
+            rounded.error += UNDERFLOW;
+        }
+        rounded
+    }
+
+    fn constant(constant: NamedConstant) -> Self {
+        Self::rounded(constant_value(constant), 0.0)
+    }
+
+    fn add(&self, other: &Self) -> Self {
+        let inherited = self.error + other.error;
+        Self::after(self.value + other.value, inherited, &[*self, *other])
+    }
+
+    fn multiply(&self, other: &Self) -> Self {
+        let inherited = of_product(*self, *other);
+        let value = self.value * other.value;
+        if value.is_finite() && (self.is_unit() || other.is_unit()) {
+            return Self {
+                value,
+                error: inherited,
+            };
+        }
+        if self.value == 0.0 || other.value == 0.0 {
+            return Self::after(value, inherited, &[*self, *other]);
+        }
+        Self::scaled(value, inherited, &[*self, *other])
+    }
+
+    fn divide(&self, other: &Self) -> Self {
+        let quotient = self.value / other.value;
+        if other.is_lost() || other.error.is_nan() {
+            return Self::unknown(quotient);
+        }
+        if other.value.is_infinite() && quotient == 0.0 {
+            // By infinity itself it is 0; by what is larger than any number, something smaller than any.
+            let size = self.value.abs().max(1.0) * UNDERFLOW;
+            return Self {
+                value: quotient,
+                error: if other.error == 0.0 { 0.0 } else { size },
+            };
+        }
+        let inherited = (self.error + share(quotient.abs(), other.error)) / other.value.abs();
+        if quotient.is_finite() && other.is_unit() {
+            return Self {
+                value: quotient,
+                error: inherited,
+            };
+        }
+        if self.value == 0.0 {
+            return Self::after(quotient, inherited, &[*self, *other]);
+        }
+        Self::scaled(quotient, inherited, &[*self, *other])
+    }
+
+    fn apply(function: Function, operands: &[Self]) -> Self {
+        match (function, operands) {
+            (Function::Abs, [x]) => Self {
+                value: x.value.abs(),
+                error: x.error,
+            },
+            (Function::Sqrt, [x]) if x.error == 0.0 => Self::after(x.value.sqrt(), 0.0, operands),
+            (Function::Sqrt, [x]) => {
+                let root = x.value.sqrt();
+                // The root of the error itself is the most that it may be off by, near 0.
+                let most = (x.error / f64::EPSILON).sqrt();
+                Self::after(root, (x.error / root).min(most), operands)
+            }
+            (Function::Sign | Function::Side, [x]) => Self::exact(f64::apply(function, &[x.value])),
+            (Function::Min | Function::Max, [x, y]) => {
+                let value = f64::apply(function, &[x.value, y.value]);
+                *if value == x.value || value.is_nan() {
+                    x
+                } else {
+                    y
+                }
+            }
+            (Function::Select, [a, b, x, y]) => *if a.value == b.value { x } else { y },
+            (Function::MulAdd, [a, b, c]) => {
+                let inherited = of_product(*a, *b);
+                let value = a.value.mul_add(b.value, c.value);
+                Self::scaled(value, inherited + c.error, operands)
+            }
+            (Function::Ln, [x]) if x.is_lost() => Self::unknown(x.value.ln()),
+            (function, [x, ..]) => {
+                let (value, slope) = smooth(function, x.value);
+                // Beyond the first order: where the argument may be anything, so may the value.
+                let curved = 1.0 + x.error * f64::EPSILON;
+                Self::after(value, share(slope.abs() * curved, x.error), operands)
+            }
+            _ => Self::exact(f64::NAN),
+        }
+    }
+
+    fn tabulated(table: &Table, order: usize, argument: &Self) -> Self {
+        stand_in(table, order, argument)
+    }
+}

@@ -1,0 +1,301 @@
+//! The points at which a form is held against the formula as written.
+
+use crate::graph::{ExprId, Graph, Node, Sign, Sizes, Symbol, SymbolId};
+
+/// How many points have numbers of everyday sizes.
+const ORDINARY: u64 = 96;
+
+/// How many have numbers that are all far from 1, where products of two or three of them leave the range of numbers.
+const FAR: u64 = 32;
+
+/// And how many have numbers of which each is far from 1 in its own way.
+const MIXED: u64 = 48;
+
+/// The sizes of numbers at points far from 1, as powers of the largest that there is.
+const FAR_SIZES: [f64; 4] = [0.55, -0.55, 1.0 / 3.0, -1.0 / 3.0];
+
+/// The sizes at mixed points, where 1 stands for a number of everyday.
+const MIXED_SIZES: [f64; 8] = [0.0, 0.0, 0.55, -0.55, 0.65, -0.65, 0.97, -0.97];
+
+/// Numbers that arithmetic has rules of their own for, and the edges of its range.
+fn special(sizes: Sizes) -> Vec<f64> {
+    let everywhere = [0.0, -0.0, 1.0, -1.0];
+    let edges = match sizes {
+        Sizes::All => vec![
+            f64::INFINITY,
+            f64::NEG_INFINITY,
+            f64::NAN,
+            f64::MIN_POSITIVE,
+            5e-324,
+            f64::MAX,
+            -1e300,
+            1e-300,
+        ],
+        Sizes::Within { smallest, largest } => vec![smallest, largest, -smallest, -largest],
+    };
+    everywhere.into_iter().chain(edges).collect()
+}
+
+/// The largest size to a power, or the smallest to its size where the power is negative.
+fn size(sizes: Sizes, power: f64) -> f64 {
+    let (smallest, largest) = match sizes {
+        Sizes::All => (1e-308, 1e308),
+        Sizes::Within { smallest, largest } => (smallest, largest),
+    };
+    let edge: f64 = if power < 0.0 { smallest } else { largest };
+    edge.powf(power.abs())
+}
+
+/// The most points of which one number is special.
+const ALONE: usize = 96;
+
+/// How many have several, where there are more than two numbers.
+const TOGETHER: u64 = 96;
+
+/// The points for a formula, each a number for each symbol: those of everyday first.
+pub fn points(graph: &Graph, roots: &[ExprId]) -> Vec<Vec<f64>> {
+    let differences = differences(graph, roots);
+    let used = graph.symbols_of(roots);
+    let places: Vec<usize> = used.iter().map(|symbol| symbol.index()).collect();
+    let everyday_and_far =
+        (0..ORDINARY + FAR).map(|number| near_differences(graph, &differences, number));
+    let mixed = (0..MIXED).map(|number| mixed(graph, number));
+    let special = alone(graph, &places)
+        .into_iter()
+        .chain(together(graph, &places));
+    everyday_and_far.chain(mixed).chain(special).collect()
+}
+
+/// Two terms of a sum that cancel where `symbol` has `ratio` times the value of `other`, and the sum's other symbols.
+struct Difference {
+    symbol: SymbolId,
+    /// None for the number 1.
+    other: Option<SymbolId>,
+    ratio: f64,
+    rest: Vec<SymbolId>,
+}
+
+/// Where the author subtracts inputs from each other or from numbers: there they may well be nearly equal.
+fn differences(graph: &Graph, roots: &[ExprId]) -> Vec<Difference> {
+    let mut differences = Vec::new();
+    for id in graph.reachable(roots) {
+        let Node::Sum(terms) = graph.node(id) else {
+            continue;
+        };
+        let mut inputs = Vec::new();
+        for (operand, coefficient) in terms {
+            let coefficient = coefficient.to_f64().unwrap_or(f64::NAN);
+            match graph.node(*operand) {
+                Node::Symbol(symbol) => inputs.push((Some(*symbol), coefficient)),
+                Node::Number(value) if value.is_one() => inputs.push((None, coefficient)),
+                _ => {}
+            }
+        }
+        for (position, (symbol, coefficient)) in inputs.iter().enumerate() {
+            for (other, subtracted) in inputs.iter().skip(position + 1) {
+                let (symbol, other, ratio) = match (symbol, other) {
+                    (Some(symbol), other) => (*symbol, *other, -subtracted / coefficient),
+                    (None, Some(other)) => (*other, None, -coefficient / subtracted),
+                    (None, None) => continue,
+                };
+                let rest = inputs.iter().filter_map(|(input, _)| *input);
+                let rest = rest.filter(|input| *input != symbol && Some(*input) != other);
+                differences.push(Difference {
+                    symbol,
+                    other,
+                    ratio,
+                    rest: rest.collect(),
+                });
+            }
+        }
+    }
+    differences
+}
+
+/// A number within a symbol's domain of that size.
+fn within(symbol: &Symbol, value: f64) -> f64 {
+    if symbol.sign.is_not_negative() {
+        value.abs()
+    } else if symbol.sign.is_not_positive() {
+        -value.abs()
+    } else {
+        value
+    }
+}
+
+/// A number of everyday, of a size from 1 to 2 in one of four negative.
+fn everyday(random: &mut Random) -> f64 {
+    let magnitude = 1.0 + random.below(1 << 10) as f64 / 1024.0;
+    if random.below(4) == 0 {
+        -magnitude
+    } else {
+        magnitude
+    }
+}
+
+/// The symbols' values at a point, each an exact number within its domain: of the sizes of everyday, and in most points
+/// such that some of the differences nearly or wholly vanish; or all far from 1.
+fn near_differences(graph: &Graph, differences: &[Difference], number: u64) -> Vec<f64> {
+    let mut random = Random::new(number);
+    let far = number >= ORDINARY;
+    let size = if far {
+        size(graph.sizes, FAR_SIZES[(number % 4) as usize])
+    } else {
+        let size = [1.0, 1.0, 1.0, 1e9, 1e-9, 0.3][(number % 6) as usize];
+        within_sizes(graph.sizes, size)
+    };
+    let symbols = graph.symbols();
+    let mut values: Vec<f64> = symbols
+        .map(|(_, symbol)| within(symbol, size * everyday(&mut random)))
+        .collect();
+    for difference in differences {
+        if far || number.is_multiple_of(4) || random.below(2) == 0 {
+            continue;
+        }
+        let other = difference.other.map_or(1.0, |other| values[other.index()]);
+        let near = 1.0 + random.below(4) as f64 * 2.0_f64.powi(-40);
+        let symbol = graph.symbol(difference.symbol);
+        values[difference.symbol.index()] = within(symbol, difference.ratio * other * near);
+        if random.below(2) == 0 {
+            for small in &difference.rest {
+                values[small.index()] *= 1e-17;
+            }
+        }
+    }
+    values
+}
+
+/// The nearest size that numbers have.
+fn within_sizes(sizes: Sizes, value: f64) -> f64 {
+    match sizes {
+        Sizes::All => value,
+        Sizes::Within { smallest, largest } => value.clamp(smallest, largest),
+    }
+}
+
+/// Numbers each far from 1 in its own way.
+fn mixed(graph: &Graph, number: u64) -> Vec<f64> {
+    let mut random = Random::new(1000 + number);
+    let symbols = graph.symbols();
+    let value = |symbol: &Symbol| {
+        let power = MIXED_SIZES[random.below(MIXED_SIZES.len() as u64) as usize];
+        let size = size(graph.sizes, power);
+        within(symbol, size * everyday(&mut random))
+    };
+    symbols.map(|(_, symbol)| symbol).map(value).collect()
+}
+
+/// Whether a number is in a domain; what is no number is in that of a symbol of which nothing is said.
+fn is_allowed(sign: Sign, value: f64) -> bool {
+    if value.is_nan() {
+        sign == Sign::UNKNOWN
+    } else if value == 0.0 {
+        sign.zero
+    } else if value > 0.0 {
+        sign.positive
+    } else {
+        sign.negative
+    }
+}
+
+/// Points of which one number is special.
+fn alone(graph: &Graph, places: &[usize]) -> Vec<Vec<f64>> {
+    let signs: Vec<Sign> = graph.symbols().map(|(_, symbol)| symbol.sign).collect();
+    let special = special(graph.sizes);
+    let pairs = places
+        .iter()
+        .flat_map(|place| special.iter().map(|value| (*place, *value)));
+    let pairs: Vec<(usize, f64)> = pairs
+        .filter(|(place, value)| is_allowed(signs[*place], *value))
+        .collect();
+    // Of many symbols each has some of them.
+    let step = pairs.len().div_ceil(ALONE).max(1);
+    let chosen = pairs.iter().skip(step / 2).step_by(step).enumerate();
+    let point = |(number, (place, special)): (usize, &(usize, f64))| {
+        let mut random = Random::new(2000 + number as u64);
+        let symbols = graph.symbols();
+        let mut values: Vec<f64> = symbols
+            .map(|(_, symbol)| within(symbol, everyday(&mut random)))
+            .collect();
+        values[*place] = *special;
+        values
+    };
+    chosen.map(point).collect()
+}
+
+/// Points of which several numbers are special: of two numbers all pairs.
+fn together(graph: &Graph, places: &[usize]) -> Vec<Vec<f64>> {
+    let special = special(graph.sizes);
+    let symbols: Vec<&Symbol> = graph.symbols().map(|(_, symbol)| symbol).collect();
+    let ordinary = |random: &mut Random| -> Vec<f64> {
+        symbols
+            .iter()
+            .map(|symbol| within(symbol, everyday(random)))
+            .collect()
+    };
+    if let [first, second] = *places {
+        let mut random = Random::new(3000);
+        let pairs = special
+            .iter()
+            .flat_map(|x| special.iter().map(move |y| [*x, *y]));
+        let are_allowed = |[x, y]: &[f64; 2]| {
+            is_allowed(symbols[first].sign, *x) && is_allowed(symbols[second].sign, *y)
+        };
+        let point = |[x, y]: [f64; 2]| {
+            let mut values = ordinary(&mut random);
+            (values[first], values[second]) = (x, y);
+            values
+        };
+        return pairs.filter(are_allowed).map(point).collect();
+    }
+    let point = |number: u64| {
+        let mut random = Random::new(3000 + number);
+        let mut values = ordinary(&mut random);
+        for (value, symbol) in values.iter_mut().zip(&symbols) {
+            let special = special[random.below(special.len() as u64) as usize];
+            if random.below(2) == 0 && is_allowed(symbol.sign, special) {
+                *value = special;
+            }
+        }
+        values
+    };
+    let count = if places.len() > 2 { TOGETHER } else { 0 };
+    (0..count).map(point).collect()
+}
+
+/// Points of everyday with all digits, in groups that differ in the last digits alone.
+pub fn groups(graph: &Graph, roots: &[ExprId]) -> Vec<Vec<Vec<f64>>> {
+    const GROUPS: u64 = 5;
+    const POINTS: u64 = 4;
+    let differences = differences(graph, roots);
+    let group = |number: u64| {
+        // Those of 1e9 and 1e-9 among them.
+        let middle = near_differences(graph, &differences, number);
+        let point = |place: u64| {
+            let mut random = Random::new(4000 + POINTS * number + place);
+            let shift =
+                |value: &f64| value * (1.0 + random.below(1 << 20) as f64 * 2.0_f64.powi(-50));
+            middle.iter().map(shift).collect()
+        };
+        (0..POINTS).map(point).collect()
+    };
+    (1..=GROUPS).map(group).collect()
+}
+
+/// The same numbers at every build.
+struct Random(u64);
+
+impl Random {
+    fn new(seed: u64) -> Self {
+        Self(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ 0x2545_f491_4f6c_dd1d)
+    }
+
+    fn below(&mut self, bound: u64) -> u64 {
+        // A linear congruence; its upper bits are the good ones.
+        self.0 = self
+            .0
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 33) % bound
+    }
+}
