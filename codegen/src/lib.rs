@@ -122,6 +122,7 @@
 //! (source to formulas as printed), [`dot`] (circuits as pictures), [`show`] (all of these by a formula's name).
 
 pub mod approximate;
+pub mod budget;
 pub mod cost;
 pub mod diagnostics;
 pub mod differentiate;
