@@ -9,6 +9,7 @@
 pub mod bounded;
 pub mod circuit;
 pub mod coefficients;
+mod common_factors;
 pub mod constants;
 pub mod extract;
 pub mod fingerprint;

@@ -7,7 +7,8 @@ use std::collections::BTreeMap;
 use smallvec::smallvec;
 
 use super::circuit::{Circuit, Net, Operation, Terms};
-use super::{coefficients, multiples, pairs, quotients, repeats};
+use super::{coefficients, common_factors, multiples, pairs, quotients, repeats};
+use crate::budget::Budget;
 use crate::graph::Rational;
 
 /// One kind of extraction.
@@ -50,12 +51,17 @@ pub const ORDERS: [&[Step]; 12] = {
 
 /// Runs the steps in order, then divides where an inverse turned out to be multiplied by once.
 pub fn extract(circuit: &mut Circuit, steps: &[Step]) {
+    extract_within(circuit, steps, &mut Budget::default());
+}
+
+/// The same with a budget that counts the looks of all searches; each search has its own.
+pub fn extract_within(circuit: &mut Circuit, steps: &[Step], budget: &mut Budget) {
     for step in steps {
         match step {
-            Step::Factors => factor_sums(circuit, false),
-            Step::SharedFactors => factor_sums(circuit, true),
-            Step::Products => pairs::share::<u32>(circuit),
-            Step::Sums => pairs::share::<Rational>(circuit),
+            Step::Factors => common_factors::take_out(circuit, false, budget),
+            Step::SharedFactors => common_factors::take_out(circuit, true, budget),
+            Step::Products => pairs::share::<u32>(circuit, budget),
+            Step::Sums => pairs::share::<Rational>(circuit, budget),
             Step::Multiples => gather_multiples(circuit),
             Step::Coefficients => coefficients::open(circuit),
             Step::Distribute => coefficients::distribute(circuit),
@@ -69,7 +75,7 @@ pub fn extract(circuit: &mut Circuit, steps: &[Step]) {
     // A multiple of an inverse that has become its only user.
     divide_by_lone_divisors(circuit);
     circuit.tidy();
-    quotients::share(circuit);
+    quotients::share(circuit, budget);
     circuit.tidy();
     multiples::share(circuit);
     circuit.tidy_by_inputs();
@@ -138,118 +144,9 @@ fn divide_in_terms(
     }
 }
 
-/// A term of a sum, taken apart.
-#[derive(Clone, Debug, PartialEq, Eq)]
-struct Term {
-    coefficient: Rational,
-    factors: BTreeMap<Net, u32>,
-}
-
-fn factor_sums(circuit: &mut Circuit, shared: bool) {
-    let uses = circuit.uses();
-    for net in circuit.nets() {
-        let Operation::Sum(terms) = circuit.operation(net).clone() else {
-            continue;
-        };
-        let terms: Vec<Term> = terms
-            .into_iter()
-            .map(|(operand, coefficient)| {
-                let factors = match circuit.operation(operand) {
-                    Operation::Product(factors) if shared || uses[operand.index()] == 1 => {
-                        factors.iter().copied().collect()
-                    }
-                    Operation::Number(value) if value.is_one() => BTreeMap::new(),
-                    _ => BTreeMap::from([(operand, 1)]),
-                };
-                Term {
-                    coefficient,
-                    factors,
-                }
-            })
-            .collect();
-        let factored = factored(circuit, terms.clone());
-        if factored != terms {
-            let terms = factored
-                .into_iter()
-                .map(|term| (product_of(circuit, &term), term.coefficient))
-                .collect();
-            circuit.replace(net, Operation::Sum(sorted(terms)));
-        }
-    }
-}
-
 pub(super) fn sorted(mut terms: Terms) -> Terms {
     terms.sort_by_key(|(net, _)| *net);
     terms
-}
-
-fn product_of(circuit: &mut Circuit, term: &Term) -> Net {
-    circuit.product(term.factors.iter().map(|(net, power)| (*net, *power)))
-}
-
-/// The terms with common factors taken out, as long as that saves multiplications.
-fn factored(circuit: &mut Circuit, mut terms: Vec<Term>) -> Vec<Term> {
-    while let Some(factor) = best_factor(&terms) {
-        let (with, mut rest): (Vec<Term>, Vec<Term>) = terms
-            .into_iter()
-            .partition(|term| term.factors.contains_key(&factor));
-        let divided = with.into_iter().map(|mut term| {
-            match term.factors.get_mut(&factor) {
-                Some(power) if *power > 1 => *power -= 1,
-                _ => {
-                    term.factors.remove(&factor);
-                }
-            }
-            term
-        });
-        let inner = factored(circuit, divided.collect());
-        let mut taken_out = match inner.as_slice() {
-            [single] => single.clone(),
-            _ => sum_of(circuit, inner),
-        };
-        *taken_out.factors.entry(factor).or_insert(0) += 1;
-        rest.push(taken_out);
-        terms = rest;
-    }
-    terms
-}
-
-/// A sum as one term: its common rational factor in front.
-fn sum_of(circuit: &mut Circuit, terms: Vec<Term>) -> Term {
-    let first = terms
-        .first()
-        .map_or(Rational::ONE, |term| term.coefficient.clone());
-    let common = terms
-        .iter()
-        .all(|term| term.coefficient.abs() == first.abs());
-    let content = if common { first } else { first.signum() };
-    let terms: Vec<_> = terms
-        .into_iter()
-        .map(|term| (product_of(circuit, &term), &term.coefficient / &content))
-        .collect();
-    Term {
-        factors: BTreeMap::from([(circuit.sum(terms), 1)]),
-        coefficient: content,
-    }
-}
-
-/// The factor that most terms share, if taking it out saves a multiplication.
-fn best_factor(terms: &[Term]) -> Option<Net> {
-    // For each factor: in how many terms it is, and in how many of these it costs a multiplication.
-    let mut counts: BTreeMap<Net, (usize, usize)> = BTreeMap::new();
-    for term in terms {
-        let multiplied = term.factors.values().sum::<u32>() > 1 || !term.coefficient.is_unit();
-        for factor in term.factors.keys() {
-            let count = counts.entry(*factor).or_insert((0, 0));
-            count.0 += 1;
-            count.1 += usize::from(multiplied);
-        }
-    }
-    counts
-        .into_iter()
-        .filter(|(_, (count, multiplied))| *count >= 2 && *multiplied >= 2)
-        .max_by_key(|(net, (_, multiplied))| (*multiplied, std::cmp::Reverse(*net)))
-        .map(|(net, _)| net)
 }
 
 fn gather_multiples(circuit: &mut Circuit) {

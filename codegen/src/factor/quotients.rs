@@ -4,20 +4,30 @@ use rustc_hash::FxHashMap;
 use smallvec::{SmallVec, smallvec};
 
 use super::circuit::{Circuit, Net, Operation};
+use crate::budget::Budget;
 use crate::graph::rational;
 
 /// What an operation is a product and quotient of, with exponents, by ascending handle.
 type Factors = SmallVec<[(Net, i64); 4]>;
 
 /// Divides what is computed already instead of multiplying divisors first. The circuit is tidy.
-pub fn share(circuit: &mut Circuit) {
+///
+/// In a chain of products each has the factors of all before it: beyond the budget one stands for itself.
+pub fn share(circuit: &mut Circuit, budget: &mut Budget) {
+    budget.renew(circuit.nets().count());
     let quotients: Vec<(Net, [Net; 2])> = quotients_by_two(circuit);
     if quotients.is_empty() {
         return;
     }
     let mut factors: Vec<Factors> = Vec::new();
     for net in circuit.nets() {
-        factors.push(factors_of(circuit, net, &factors));
+        let of_net = factors_of(circuit, net, &factors);
+        let is_affordable = budget.take(of_net.len());
+        factors.push(if is_affordable {
+            of_net
+        } else {
+            smallvec![(net, 1)]
+        });
     }
     let mut known: FxHashMap<&Factors, Net> = FxHashMap::default();
     for net in circuit.nets() {
