@@ -1,6 +1,6 @@
 //! From the graph to operations: constants to their decimal values, quotients to as few divisions as there can be.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use num_bigint::BigInt;
 use num_integer::Integer;
@@ -371,16 +371,18 @@ fn shared_divisors(graph: &Graph, roots: &[ExprId], sizes: bool) -> Divisors {
     };
     for group in groups(quotients, |quotient| keys.keys(graph, quotient)) {
         let factors = keys.keys(graph, group.iter().flatten());
-        let whole: BTreeSet<Vec<(ExprId, u32)>> = group.iter().cloned().collect();
+        let mut whole: BTreeMap<&Denominator, usize> = BTreeMap::new();
+        for divisors in &group {
+            *whole.entry(divisors).or_insert(0) += 1;
+        }
         if group.len() == 1 {
             continue;
         }
         if factors.len() < whole.len() {
             shared.factors.extend(factors);
         } else {
-            let repeated = whole
-                .into_iter()
-                .filter(|divisors| group.iter().filter(|other| *other == divisors).count() > 1);
+            let repeated = whole.into_iter().filter(|(_, count)| *count > 1);
+            let repeated = repeated.map(|(divisors, _)| divisors.clone());
             shared.products.extend(repeated);
         }
     }
