@@ -10,19 +10,39 @@
 //! of its own.
 
 mod corners;
+mod reverse;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
+use crate::budget::Budget;
 use crate::graph::{ExprId, Function, Graph, Node, Rational, SymbolId, ratio, whole};
 use crate::rewrite::common::over_common_divisor;
 
-/// The first partials of a function by the given symbols, in their order.
+/// The first partials of a function by the given symbols, in their order: by the reverse mode, or where that is beyond its
+/// budget by the forward mode.
+///
+/// The reverse mode multiplies what a node gets from its users on to its operands. Along a chain of products, where every
+/// step has a factor more than the one before, and of a product of many factors, each of which is passed the product of all
+/// others, that is the square of the length; the forward mode has a sum in between.
 pub fn gradient(graph: &mut Graph, function: ExprId, by: &[SymbolId]) -> Vec<ExprId> {
-    Sweeps {
-        by,
-        known: BTreeMap::new(),
-    }
-    .partials(graph, function)
+    gradient_within(graph, function, by, &mut Budget::default())
+}
+
+/// Factors that the reverse mode may pass on in any function, and beyond that for each of its nodes and each symbol: the forward
+/// mode visits all nodes for every symbol. The formulas of the tests need up to 600, and those of more nodes than a hundred
+/// up to 4 for each node.
+const LEAST_LOOKS: usize = 1 << 11;
+const LOOKS_PER_NODE: usize = 4;
+
+/// The same with a budget that counts the factors that are passed on.
+pub fn gradient_within(
+    graph: &mut Graph,
+    function: ExprId,
+    by: &[SymbolId],
+    budget: &mut Budget,
+) -> Vec<ExprId> {
+    reverse::gradient(graph, function, by, budget)
+        .unwrap_or_else(|| gradient_forward(graph, function, by))
 }
 
 /// The same over held products: a sweep down to their symbols, then from the last of them to what each is made of. What
@@ -90,124 +110,31 @@ fn shares(
     shares
 }
 
-/// The sweeps for one gradient: one for the function, and one for each alternative of a choice in it.
-struct Sweeps<'a> {
-    by: &'a [SymbolId],
-    /// The partials of alternatives.
-    known: BTreeMap<ExprId, Vec<ExprId>>,
-}
-
-/// What a node's users pass on to it, to be summed.
-type Adjoints = BTreeMap<ExprId, Vec<(ExprId, Rational)>>;
-
-impl Sweeps<'_> {
-    fn partials(&mut self, graph: &mut Graph, function: ExprId) -> Vec<ExprId> {
-        if let Some(known) = self.known.get(&function) {
-            return known.clone();
-        }
-        let wanted: BTreeSet<SymbolId> = self.by.iter().copied().collect();
-        let depends = graph.depends_on(&wanted);
-        let order = graph.reachable(&[function]);
-        let mut adjoints = Adjoints::new();
-        let mut of_symbols: BTreeMap<SymbolId, ExprId> = BTreeMap::new();
-        adjoints.insert(function, vec![(graph.one(), whole(1))]);
-        for id in order.into_iter().rev() {
-            if !depends[id.index()] {
-                continue;
-            }
-            let Some(contributions) = adjoints.remove(&id) else {
-                continue;
-            };
-            let adjoint = graph.sum(contributions);
-            match graph.node(id).clone() {
-                Node::Symbol(symbol) => {
-                    // The contributions share the divisions that their way here has in common; a further derivative of them
-                    // one by one would have differences that cancel.
-                    of_symbols.insert(symbol, over_common_divisor(graph, adjoint));
-                }
-                Node::Apply(function, operands) if corners::is_choice(function) => {
-                    self.pass_choice(graph, adjoint, (id, function), &operands, &mut adjoints);
-                }
-                Node::Apply(Function::Abs, operands) => {
-                    let inner = self.partials(graph, operands[0]);
-                    let side = corners::side(graph, operands[0], &inner);
-                    let share = graph.multiply(adjoint, side);
-                    adjoints
-                        .entry(operands[0])
-                        .or_default()
-                        .push((share, whole(1)));
-                }
-                _ => {
-                    for (operand, slope, coefficient) in slopes(graph, id, &depends) {
-                        let share = graph.multiply(adjoint, slope);
-                        adjoints
-                            .entry(operand)
-                            .or_default()
-                            .push((share, coefficient));
-                    }
-                }
-            }
-        }
-        let zero = graph.integer(0);
-        let partials: Vec<ExprId> = self
-            .by
-            .iter()
-            .map(|symbol| of_symbols.get(symbol).copied().unwrap_or(zero))
-            .collect();
-        self.known.insert(function, partials.clone());
-        partials
-    }
-
-    /// The derivative of a choice is a choice between the derivatives, all factors included: a choice between 1 and 0 as a
-    /// factor of them would be 0·∞ where the alternative that is not taken has an infinite derivative.
-    fn pass_choice(
-        &mut self,
-        graph: &mut Graph,
-        adjoint: ExprId,
-        choice: (ExprId, Function),
-        operands: &[ExprId],
-        adjoints: &mut Adjoints,
-    ) {
-        let alternatives = corners::alternatives(operands);
-        let [first, second] = alternatives.map(|alternative| self.partials(graph, alternative));
-        let taken = corners::taken(graph, choice, operands, &first, &second);
-        for ((symbol, first), second) in self.by.iter().zip(first).zip(second) {
-            let partials = [first, second].map(|partial| graph.multiply(adjoint, partial));
-            let share = taken.of(graph, partials);
-            let symbol = graph.symbol_expression(*symbol);
-            adjoints.entry(symbol).or_default().push((share, whole(1)));
-        }
-    }
-}
-
-/// The same in the forward mode: one sweep for each symbol. It is written over other parts than the reverse mode's: over
-/// the derivatives of what the function is made of, which several functions of one formula may share.
+/// The same in the forward mode: from the symbols up to the function. It is written over other parts than the reverse mode's:
+/// over the derivatives of what the function is made of, which several functions of one formula may share.
 pub fn gradient_forward(graph: &mut Graph, function: ExprId, by: &[SymbolId]) -> Vec<ExprId> {
     let order = graph.reachable(&[function]);
-    let zero = graph.integer(0);
-    let wanted: BTreeSet<SymbolId> = by.iter().copied().collect();
-    let depends = graph.depends_on(&wanted);
+    let [zero, one] = [graph.integer(0), graph.one()];
+    let depends = graph.depends_on(&by.iter().copied().collect());
     // For each node its derivatives by all symbols.
     let mut tangents: BTreeMap<ExprId, Vec<ExprId>> = BTreeMap::new();
     let nothing = vec![zero; by.len()];
     for id in order.into_iter().filter(|id| depends[id.index()]) {
-        let of = |operand: &ExprId| tangents.get(operand).unwrap_or(&nothing).clone();
+        let of = |operand: ExprId| tangents.get(&operand).unwrap_or(&nothing).clone();
         let tangent = match graph.node(id).clone() {
             Node::Symbol(symbol) => {
-                let one = graph.one();
-                by.iter()
-                    .map(|by| if *by == symbol { one } else { zero })
-                    .collect()
+                let of_symbol = |by: &SymbolId| if *by == symbol { one } else { zero };
+                by.iter().map(of_symbol).collect()
             }
             Node::Apply(function, operands) if corners::is_choice(function) => {
-                let [first, second] = corners::alternatives(&operands).map(|operand| of(&operand));
+                let [first, second] = corners::alternatives(&operands).map(of);
                 let taken = corners::taken(graph, (id, function), &operands, &first, &second);
                 let both = first.into_iter().zip(second);
                 both.map(|(first, second)| taken.of(graph, [first, second]))
                     .collect()
             }
             Node::Apply(Function::Abs, operands) => {
-                let inner = of(&operands[0]);
+                let inner = of(operands[0]);
                 let side = corners::side(graph, operands[0], &inner);
                 inner
                     .into_iter()
@@ -215,16 +142,9 @@ pub fn gradient_forward(graph: &mut Graph, function: ExprId, by: &[SymbolId]) ->
                     .collect()
             }
             _ => {
-                let slopes = slopes(graph, id, &depends);
-                let inner: Vec<_> = slopes.iter().map(|(operand, ..)| of(operand)).collect();
                 let by_symbol = (0..by.len()).map(|place| {
-                    let terms = slopes.iter().zip(&inner);
-                    let terms: Vec<_> = terms
-                        .map(|((_, slope, q), inner)| {
-                            (graph.multiply(inner[place], *slope), q.clone())
-                        })
-                        .collect();
-                    graph.sum(terms)
+                    let inner = |operand| tangents.get(&operand).map_or(zero, |of| of[place]);
+                    tangent(graph, id, &depends, &inner)
                 });
                 by_symbol.collect()
             }
@@ -232,6 +152,50 @@ pub fn gradient_forward(graph: &mut Graph, function: ExprId, by: &[SymbolId]) ->
         tangents.insert(id, tangent);
     }
     tangents.remove(&function).unwrap_or(nothing)
+}
+
+/// The derivative of a node that has no corner from those of its operands.
+fn tangent(
+    graph: &mut Graph,
+    id: ExprId,
+    depends: &[bool],
+    inner: &impl Fn(ExprId) -> ExprId,
+) -> ExprId {
+    if let Node::Product(factors) = graph.node(id)
+        && factors.len() > MOST_FACTORS
+    {
+        let factors = factors.clone();
+        return tangent_of_factors(graph, &factors, inner).1;
+    }
+    let mut terms = Vec::new();
+    // Nodes made meanwhile lie behind the last known one; no operand of an old node does.
+    let matters = |id: ExprId| depends.get(id.index()).copied().unwrap_or(false);
+    for (operand, slope, coefficient) in slopes(graph, id, matters) {
+        terms.push((graph.multiply(inner(operand), slope), coefficient));
+    }
+    graph.sum(terms)
+}
+
+/// Products of more factors than this are derived by halves; with fewer, a product of the others for each factor is as short.
+const MOST_FACTORS: usize = 24;
+
+/// A product and its derivative by halves, (uv)' = u'v + uv', so that the products in it have together no more than n·log n
+/// of its n factors.
+fn tangent_of_factors(
+    graph: &mut Graph,
+    factors: &[(ExprId, i32)],
+    inner: &impl Fn(ExprId) -> ExprId,
+) -> (ExprId, ExprId) {
+    if let [(factor, exponent)] = factors {
+        let slope = graph.product([(inner(*factor), 1), (*factor, exponent - 1)]);
+        let slope = graph.scale(slope, whole(i64::from(*exponent)));
+        return (graph.power(*factor, *exponent), slope);
+    }
+    let (left, right) = factors.split_at(factors.len() / 2);
+    let [(u, u_slope), (v, v_slope)] =
+        [left, right].map(|half| tangent_of_factors(graph, half, inner));
+    let slopes = [graph.multiply(u_slope, v), graph.multiply(u, v_slope)];
+    (graph.multiply(u, v), graph.add(slopes[0], slopes[1]))
 }
 
 /// The second partials, by rows; the matrix is symmetric by construction.
@@ -250,16 +214,18 @@ pub fn hessian(graph: &mut Graph, gradient_of: &[ExprId], by: &[SymbolId]) -> Ve
 }
 
 /// The node's derivative by each of its operands that matters: operand, derivative, rational factor.
-fn slopes(graph: &mut Graph, id: ExprId, depends: &[bool]) -> Vec<(ExprId, ExprId, Rational)> {
-    // Nodes made during the sweep lie behind the last known one; no operand of an old node does.
-    let matters = |operand: &ExprId| depends.get(operand.index()).copied().unwrap_or(false);
+fn slopes(
+    graph: &mut Graph,
+    id: ExprId,
+    matters: impl Fn(ExprId) -> bool,
+) -> Vec<(ExprId, ExprId, Rational)> {
     match graph.node(id).clone() {
         Node::Number(_) | Node::Constant(_) | Node::Symbol(_) | Node::Integral { .. } => Vec::new(),
         Node::Sum(terms) => {
             let one = graph.one();
             terms
                 .into_iter()
-                .filter(|(operand, _)| matters(operand))
+                .filter(|(operand, _)| matters(*operand))
                 .map(|(operand, q)| (operand, one, q))
                 .collect()
         }
@@ -267,7 +233,7 @@ fn slopes(graph: &mut Graph, id: ExprId, depends: &[bool]) -> Vec<(ExprId, ExprI
             let wanted = factors
                 .iter()
                 .enumerate()
-                .filter(|(_, (operand, _))| matters(operand));
+                .filter(|(_, (operand, _))| matters(*operand));
             let wanted: Vec<_> = wanted.map(|(place, factor)| (place, *factor)).collect();
             let slope = |(place, (operand, exponent)): (usize, (ExprId, i32))| {
                 // (u/v)' is −(u/v)/v·v', which stays in the range of numbers where u/v² does not.

@@ -205,7 +205,7 @@ mod tests {
 
     #[test]
     fn a_formula_as_a_graph() {
-        let source = "#[symbolic(sizes = 1e-9..=1e9)] mod m { pub fn f(x: f64, y: f64) -> f64 { let r = x - 2.0 * y + 3.0; (r * r * x).sqrt() / y } }";
+        let source = "#[symbolic(sizes = 1e-9..=1e9)] mod m { #[domain(x >= 0.0)] pub fn f(x: f64, y: f64) -> f64 { let r = x - 2.0 * y + 3.0; (r * r * x).sqrt() / y } }";
         let mut expansion = show::module(source).unwrap();
         let expected = [
             "digraph \"f\" {",

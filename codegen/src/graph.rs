@@ -410,7 +410,7 @@ impl Graph {
     }
 
     /// Calls `visit` with every operand of a node in order.
-    fn each_operand(&self, id: ExprId, mut visit: impl FnMut(ExprId)) {
+    pub(crate) fn each_operand(&self, id: ExprId, mut visit: impl FnMut(ExprId)) {
         match self.node(id) {
             Node::Number(_) | Node::Constant(_) | Node::Symbol(_) => {}
             Node::Sum(terms) => terms.iter().for_each(|(operand, _)| visit(*operand)),
