@@ -140,6 +140,11 @@ type Powers = BTreeMap<ExprId, i32>;
 /// More terms than this are not tried together, and no sum of more as what they may cancel.
 const MOST_TERMS: usize = 6;
 
+/// How often two terms of one sum are looked at, and what a look at their quotients counts for: of a sum of many fractions
+/// all pairs would take the square of their number. Thirty fractions are tried with each other.
+const LOOKS: usize = 1 << 13;
+const LOOKS_OF_QUOTIENTS: usize = 8;
+
 /// Terms of a sum whose common denominator makes them cancel: 1/r − x²/(s·r) with s = x² + y is y/(s·r). As it stands it
 /// is the difference of two nearly equal fractions where y is small beside x².
 pub(super) fn cancelling_fractions(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
@@ -157,17 +162,24 @@ pub(super) fn cancelling_fractions(graph: &mut Graph, id: ExprId) -> Option<Expr
         .iter()
         .map(|(term, _)| parts(graph, *term).1.into_iter().collect())
         .collect();
+    let by_divisor = by_divisor(&powers);
+    let mut looks = LOOKS;
     for (first, above) in powers.iter().enumerate() {
-        for divisor in divisors(&powers, above) {
+        let of_first = |factor: &ExprId| above.get(factor).copied().unwrap_or(0);
+        for ((divisor, exponent), divided) in &by_divisor {
+            let divisor = *divisor;
+            looks = looks.checked_sub(1)?;
+            // What some of the terms divide by once more than the first.
+            if of_first(&divisor) != exponent + 1 {
+                continue;
+            }
             let Node::Sum(inner) = graph.node(divisor).clone() else {
                 continue;
             };
+            looks = looks.checked_sub(LOOKS_OF_QUOTIENTS + divided.len())?;
             // The first term is common · divisor, the others that divide by it are common · quotient.
             let mut common = above.clone();
             *common.entry(divisor).or_insert(0) -= 1;
-            let divided: Vec<usize> = (0..terms.len())
-                .filter(|position| powers[*position].get(&divisor) == common.get(&divisor))
-                .collect();
             let quotients: Vec<(ExprId, Rational)> = divided
                 .iter()
                 .map(|position| {
@@ -197,15 +209,16 @@ pub(super) fn cancelling_fractions(graph: &mut Graph, id: ExprId) -> Option<Expr
     None
 }
 
-/// What some of the terms divide by once more than one of them does.
-fn divisors(powers: &[Powers], above: &Powers) -> BTreeSet<ExprId> {
-    let of_first = |factor: &ExprId| above.get(factor).copied().unwrap_or(0);
-    powers
-        .iter()
-        .flatten()
-        .filter(|(factor, exponent)| **exponent < 0 && of_first(factor) == **exponent + 1)
-        .map(|(factor, _)| *factor)
-        .collect()
+/// The divisors of the terms with their exponents, each with the positions of the terms.
+fn by_divisor(powers: &[Powers]) -> BTreeMap<(ExprId, i32), Vec<usize>> {
+    let mut by_divisor: BTreeMap<(ExprId, i32), Vec<usize>> = BTreeMap::new();
+    for (position, powers) in powers.iter().enumerate() {
+        for (factor, exponent) in powers.iter().filter(|(_, exponent)| **exponent < 0) {
+            let positions = by_divisor.entry((*factor, *exponent)).or_default();
+            positions.push(position);
+        }
+    }
+    by_divisor
 }
 
 /// The quotient of two products.
