@@ -97,6 +97,27 @@ fn multiple<T: Number>(coefficient: &Rational, value: T) -> T {
     }
 }
 
+/// Powers up to this are products of so many factors, as they are emitted; of larger ones that would take as long as a
+/// formula of that size.
+const LARGEST_PRODUCT: u32 = 16;
+
+/// The factors of a power: the number as often as it says, or a large power worked out by squares.
+fn raised<T: Number>(base: T, power: u32) -> impl Iterator<Item = T> {
+    if power <= LARGEST_PRODUCT {
+        return std::iter::repeat_n(base, power as usize);
+    }
+    let bits = (0..power.ilog2()).rev().map(|bit| power >> bit & 1 == 1);
+    let raised = bits.fold(base.clone(), |raised, is_odd| {
+        let square = raised.multiply(&raised);
+        if is_odd {
+            square.multiply(&base)
+        } else {
+            square
+        }
+    });
+    std::iter::repeat_n(raised, 1)
+}
+
 /// One node's value from the values of its operands. Integrals have none here.
 pub(crate) fn node_value<T: Number>(
     graph: &Graph,
@@ -119,13 +140,12 @@ pub(crate) fn node_value<T: Number>(
             let one = T::rational(&crate::graph::whole(1));
             let (mut numerator, mut denominator) = (one.clone(), one);
             for (operand, exponent) in factors {
-                let factor = value(*operand);
-                for _ in 0..exponent.unsigned_abs() {
-                    let side = if *exponent > 0 {
-                        &mut numerator
-                    } else {
-                        &mut denominator
-                    };
+                let side = if *exponent > 0 {
+                    &mut numerator
+                } else {
+                    &mut denominator
+                };
+                for factor in raised(value(*operand), exponent.unsigned_abs()) {
                     *side = side.multiply(&factor);
                 }
             }
@@ -425,7 +445,7 @@ pub fn evaluate_circuit<N: Number>(graph: &Graph, circuit: &Circuit, symbols: &[
                 .unwrap_or_else(|| N::rational(&Rational::ZERO)),
             Operation::Product(factors) => factors
                 .iter()
-                .flat_map(|(operand, power)| std::iter::repeat_n(value(operand), *power as usize))
+                .flat_map(|(operand, power)| raised(value(operand), *power))
                 .reduce(|product, factor| product.multiply(&factor))
                 .unwrap_or_else(nothing),
             Operation::Quotient(numerator, denominator) => {
