@@ -1,5 +1,6 @@
 //! Operations as Rust expressions, and the statements that compute a circuit's results.
 
+use std::cmp::Reverse;
 use std::collections::BTreeSet;
 
 use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
@@ -190,6 +191,10 @@ impl<'a> Writer<'a> {
     /// Names the widest operands of an operation until its expression is short. Whether it is, at the end.
     fn shorten(&mut self, net: Net, statements: &mut Vec<TokenStream>) -> bool {
         let room = self.room(net);
+        if self.circuit.operands(net).len() > room {
+            self.name_all_operands(net, statements);
+            return false;
+        }
         loop {
             if width(self.operation(net).tokens) <= room {
                 return true;
@@ -199,14 +204,24 @@ impl<'a> Writer<'a> {
                 .operands(net)
                 .into_iter()
                 .filter(|operand| self.can_be_named(*operand));
-            let widest = unnamed.max_by_key(|operand| {
-                (
-                    width(self.operation(*operand).tokens),
-                    std::cmp::Reverse(*operand),
-                )
-            });
+            let widest = unnamed
+                .max_by_key(|operand| (width(self.operation(*operand).tokens), Reverse(*operand)));
             let Some(widest) = widest else { return false };
             self.state(widest, statements);
+        }
+    }
+
+    /// Names the operands of an operation that has too many of them for a line, the widest first. No name changes the width
+    /// of another operand: what has no name yet is used here alone.
+    fn name_all_operands(&mut self, net: Net, statements: &mut Vec<TokenStream>) {
+        let operands = self.circuit.operands(net).into_iter();
+        let unnamed = operands.filter(|operand| self.can_be_named(*operand));
+        let mut widths: Vec<_> = unnamed
+            .map(|operand| (width(self.operation(operand).tokens), Reverse(operand)))
+            .collect();
+        widths.sort_unstable();
+        for (_, Reverse(operand)) in widths.into_iter().rev() {
+            self.state(operand, statements);
         }
     }
 

@@ -1,6 +1,6 @@
 //! Names of temporaries: the author's where a `let` gave one, else made from what is computed.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use proc_macro2::{Ident, Span};
 
@@ -20,6 +20,8 @@ pub struct Namer {
     /// For each operation the named one that it is for, where there is one alone; made at the first question.
     purposes: Option<Vec<Option<String>>>,
     counter: BTreeMap<&'static str, usize>,
+    /// For each name that was wished for, the last number that was tried with it: all before are taken.
+    attempts: HashMap<String, usize>,
 }
 
 impl Namer {
@@ -31,6 +33,7 @@ impl Namer {
             plain: BTreeSet::new(),
             purposes: None,
             counter: BTreeMap::new(),
+            attempts: HashMap::new(),
         }
     }
 
@@ -64,13 +67,17 @@ impl Namer {
 
     fn unique(&mut self, wish: &str) -> String {
         let wish = wish.trim_start_matches("r#");
-        let mut name = wish.to_owned();
-        let mut attempt = 1;
-        while syn::parse_str::<Ident>(&name).is_err() || !self.taken.insert(name.clone()) {
-            attempt += 1;
-            name = format!("{wish}_{attempt}");
+        let attempt = self.attempts.entry(wish.to_owned()).or_insert(0);
+        loop {
+            *attempt += 1;
+            let name = match *attempt {
+                1 => wish.to_owned(),
+                number => format!("{wish}_{number}"),
+            };
+            if syn::parse_str::<Ident>(&name).is_ok() && self.taken.insert(name.clone()) {
+                return name;
+            }
         }
-        name
     }
 
     /// A name of a kind with a number.
