@@ -77,6 +77,53 @@ fn synthetic(criterion: &mut Criterion) {
     group.finish();
 }
 
+/// Steps of the formulas of one shape.
+const STEPS: [usize; 2] = [1_000, 4_000];
+
+/// Shapes: what the formula starts with, and a step. `{c}` is another number in each step, `t` what is there already.
+const SHAPES: [(&str, &str, &str); 8] = [
+    ("sum of sines", "y", "t + ({c} * x + y).sin()"),
+    ("sum of inverses", "y", "t + 1.0 / (x + {c})"),
+    ("sum of squares", "y", "t + (x + {c}).powi(2)"),
+    ("sum of choices", "y", "t + x.min({c})"),
+    ("product of sums", "y", "t * (x + {c})"),
+    ("nested roots", "y", "(t + x).sqrt()"),
+    ("nested choices", "y", "t.min({c} * x)"),
+    ("continued fraction", "y", "{c} + x / t"),
+];
+
+/// A module with the gradient of one such formula.
+fn steps(first: &str, step: &str, count: usize) -> TokenStream {
+    let mut source = format!(
+        "mod synthetic {{ #[generate(gradient(x, y))] pub fn formula(x: f64, y: f64) -> f64 {{ let t = {first};"
+    );
+    for place in 0..count {
+        let number = format!("{}.{}", place + 2, place * 37 % 97 + 1);
+        let _ = write!(source, "let t = {};", step.replace("{c}", &number));
+    }
+    source += "t } }";
+    source.parse().unwrap_or_default()
+}
+
+/// Formulas that are one long sum, product or chain, where a search that compares all with all shows.
+fn shapes(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("expansion of a shape");
+    for (name, first, step) in SHAPES {
+        for count in STEPS {
+            let item = steps(first, step, count);
+            group.throughput(Throughput::Elements(count as u64));
+            group.bench_function(BenchmarkId::new(name, count), |bencher| {
+                bencher.iter_batched(
+                    || item.clone(),
+                    |item| black_box(codegen::expand(TokenStream::new(), item)),
+                    BatchSize::PerIteration,
+                );
+            });
+        }
+    }
+    group.finish();
+}
+
 /// All forms of the model, which is what its build waits for.
 fn model(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("expansion of the model");
@@ -102,6 +149,6 @@ criterion_group! {
         .sample_size(10)
         .warm_up_time(Duration::from_millis(100))
         .measurement_time(Duration::from_secs(1));
-    targets = synthetic, model
+    targets = synthetic, shapes, model
 }
 criterion_main!(expansion);
