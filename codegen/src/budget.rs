@@ -6,11 +6,11 @@
 //! gives the same bytes on every machine. What a budget gives is far more than any formula of the size of a page asks for.
 
 /// Looks that every search may have, however small the formula: a millisecond of work, and five times what any search takes
-/// in the formulas of the tests.
+/// in the formulas of this crate's tests.
 const LEAST: usize = 1 << 13;
 
-/// Looks per operation beyond these, which is what makes the work grow as the formula does. The search for pairs in the
-/// formulas of the tests takes up to 12.
+/// Looks per operation beyond these, which is what makes the work grow as the formula does: so many neighbours are compared
+/// with each operand of a wide sum or product.
 const PER_OPERATION: usize = 16;
 
 /// Looks at candidates that are left, and how many there were.
