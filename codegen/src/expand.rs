@@ -176,6 +176,10 @@ impl Expansion {
         let symbols = Symbols::read(&attribute.latex, &mut diagnostics);
         let mut module = Module::read(item, &mut diagnostics);
         module.sizes = attribute.sizes;
+        let domain = attribute.domain.into_iter();
+        module.domain = domain
+            .map(|(target, domain)| (target.symbol, domain))
+            .collect();
         Self {
             module,
             symbols,

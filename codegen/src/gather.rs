@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 
 use crate::factor::fingerprint::vanishing;
 use crate::factor::{Held, Outputs};
-use crate::graph::{ExprId, Graph, Node, Rational, Role, SymbolId, whole};
+use crate::graph::{Domain, ExprId, Graph, Node, Rational, Role, SymbolId, whole};
 
 /// A formula's numbers in the graph that is worked on.
 #[derive(Debug)]
@@ -32,9 +32,12 @@ pub fn gather(written: &Graph, roots: &[ExprId]) -> Gathered {
         if let Node::Sum(terms) = written.node(original)
             && written.is_authored(original)
         {
+            let is_sum =
+                |operand| matches!(written.node(operand), Node::Sum(terms) if terms.len() > 1);
+            let has_sum = terms.iter().any(|(operand, _)| is_sum(*operand));
             let of_images = |(operand, q): &(ExprId, Rational)| (images[operand], q.clone());
             let terms: Vec<_> = terms.iter().map(of_images).collect();
-            undoes_rounding |= takes_away_what_was_added(graph, &terms);
+            undoes_rounding |= has_sum && takes_away_what_was_added(graph, &terms);
             if graph.as_number(image).is_none() {
                 sums.push(image);
             }
@@ -50,24 +53,24 @@ pub fn gather(written: &Graph, roots: &[ExprId]) -> Gathered {
     }
 }
 
-/// Terms by what they are multiples of: whether one is positive, whether one is negative.
-type Signs = BTreeMap<ExprId, [bool; 2]>;
+/// Terms by what they are multiples of: whether one is positive, whether one is negative, and what they come to.
+type Multiples = BTreeMap<ExprId, ([bool; 2], Rational)>;
 
-/// Whether terms of different signs are multiples of the same: of the terms themselves, or of those of sums among them where
-/// gathering would open these.
+/// Whether terms of different signs are multiples of the same, where one of them was a sum (as in c − (c − x) with c = 1025·x,
+/// by which a number is split), or whether what a sum among them has is taken away to the last of it, as in (a + b) − a,
+/// where gathering would open that sum.
 fn takes_away_what_was_added(graph: &Graph, terms: &[(ExprId, Rational)]) -> bool {
-    let mut closed = Signs::new();
+    let mut closed = Multiples::new();
     for (operand, q) in terms {
         // Numbers are constants that the author left to the compiler.
         if graph.as_number(*operand).is_none() {
             enter(graph, &mut closed, *operand, q);
         }
     }
-    let has_both = |signs: &Signs| signs.values().any(|signs| *signs == [true; 2]);
-    if has_both(&closed) {
+    if closed.values().any(|(signs, _)| *signs == [true; 2]) {
         return true;
     }
-    let mut opened = Signs::new();
+    let mut opened = Multiples::new();
     for (operand, q) in terms {
         let (operand, q) = multiple_of(graph, *operand, q);
         match graph.node(operand) {
@@ -79,7 +82,8 @@ fn takes_away_what_was_added(graph: &Graph, terms: &[(ExprId, Rational)]) -> boo
             _ => enter(graph, &mut opened, operand, &q),
         }
     }
-    opened.len() <= terms.len() && has_both(&opened)
+    let is_gone = |(signs, left): &([bool; 2], Rational)| *signs == [true; 2] && left.is_zero();
+    opened.values().any(is_gone)
 }
 
 /// What a multiple is a multiple of, and of which size.
@@ -91,10 +95,11 @@ fn multiple_of(graph: &Graph, operand: ExprId, q: &Rational) -> (ExprId, Rationa
     }
 }
 
-fn enter(graph: &Graph, signs: &mut Signs, operand: ExprId, q: &Rational) {
+fn enter(graph: &Graph, multiples: &mut Multiples, operand: ExprId, q: &Rational) {
     let (operand, q) = multiple_of(graph, operand, q);
-    let known = signs.entry(operand).or_default();
-    known[usize::from(q.is_negative())] |= !q.is_zero();
+    let (signs, left) = multiples.entry(operand).or_default();
+    signs[usize::from(q.is_negative())] |= !q.is_zero();
+    *left += &q;
 }
 
 /// Gathers the numbers of a formula with its named products as symbols of their own; None where there is none.
@@ -141,7 +146,7 @@ fn held(graph: &mut Graph, definitions: &mut Definitions, id: ExprId, name: &str
     let known = definitions.iter().find(|(_, known)| *known == product);
     let symbol = known.map(|(symbol, _)| *symbol).unwrap_or_else(|| {
         let symbol = graph.symbol_of(Role::Product(definitions.len()), name);
-        graph.assume(symbol, graph.sign(product));
+        graph.assume(symbol, Domain::of_sign(graph.sign(product)));
         definitions.push((symbol, product));
         graph.suggest_name(product, name);
         symbol

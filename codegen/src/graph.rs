@@ -26,7 +26,7 @@ use smallvec::SmallVec;
 
 use crate::approximate::piecewise::PiecewisePolynomial;
 pub use rational::{Rational, ratio, whole};
-pub use sign::Sign;
+pub use sign::{Domain, Sign};
 
 /// Handle of an expression in its [`Graph`]; by default that of the number 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -160,8 +160,8 @@ pub struct Symbol {
     pub name: String,
     /// What it stands for.
     pub role: Role,
-    /// The declared domain, as a sign.
-    pub sign: Sign,
+    /// The declared domain.
+    pub domain: Domain,
 }
 
 /// How large the numbers are that a formula is given.
@@ -341,7 +341,7 @@ impl Graph {
             self.symbols.push(Symbol {
                 name,
                 role,
-                sign: Sign::UNKNOWN,
+                domain: Domain::default(),
             });
         }
         id
@@ -353,10 +353,10 @@ impl Graph {
         self.symbol_index.get(&key).copied()
     }
 
-    /// Declares what is known of a symbol's sign; it holds for expressions that are made afterwards.
-    pub fn assume(&mut self, id: SymbolId, sign: Sign) {
-        let known = &mut self.symbols[id.index()].sign;
-        *known = known.and(sign);
+    /// Declares where a symbol lies; its sign holds for expressions that are made afterwards.
+    pub fn assume(&mut self, id: SymbolId, domain: Domain) {
+        let known = &mut self.symbols[id.index()].domain;
+        *known = known.and(domain);
     }
 
     /// Suggests a name for a temporary; the first suggestion stays.

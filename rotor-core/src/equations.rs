@@ -9,7 +9,24 @@ pub use terms::*;
 /// This module's own source text, for tools that show a formula as it is written.
 pub const SOURCE: &str = include_str!("equations.rs");
 
-#[rotor_macros::symbolic(sizes = 1e-15..=1e15, latex(
+// What the generated forms are held to: SI units and ratios of everyday, far beyond any machine, and what a rotor can be.
+#[rotor_macros::symbolic(sizes = 1e-9..=1e6, domain(
+    c.beta >= 0.0,
+    c.beta <= 2.0,
+    c.disk_asymmetry >= -1.0,
+    c.disk_asymmetry <= 1.0,
+    p.disk_asymmetry >= -1.0,
+    p.disk_asymmetry <= 1.0,
+    p.disk_position_ratio <= 1.0,
+    p.shaft_poissons_ratio >= -1.0,
+    p.shaft_poissons_ratio <= 0.5,
+    p.shaft_youngs_modulus >= 1e6,
+    p.shaft_youngs_modulus <= 1e13,
+    p.crack_depth_ratio <= 1.0,
+    p.crack_position_ratio <= 1.0,
+    edge_factor >= 1.0,
+    edge_factor <= 2.0,
+), latex(
     speed = "\\Omega",
     omega_bar = "\\varpi",
     detuning = "\\vartheta",

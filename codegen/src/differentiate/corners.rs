@@ -2,13 +2,14 @@
 //!
 //! One convention holds for all: **at a corner the derivative is that of the side on which the first of the variables derived
 //! by is a little larger**, the first that tells the two sides apart. Every corner of a formula is seen from the same side
-//! then, so that where corners cancel, as in $\\max(x, 0) - \\max(-x, 0) = x$, in the softplus
-//! $\\max(x, 0) + \\ln(1 + e^{-|x|})$ or in $x|x|$, the derivative is the true one, and so is that of the derivative.
+//! then, so that where corners cancel, as in $\max(x, 0) - \max(-x, 0) = x$, in the softplus
+//! $\max(x, 0) + \ln(1 + e^{-|x|})$ or in $x|x|$, the derivative is the true one, and so is that of the derivative.
 //!
-//! Which side that is shows mostly while code is generated, by the sign of a derivative; where it does not, the code looks.
-//! Where one of two is not a number, the larger and smaller of them are the other, and so is the derivative.
+//! Which side that is shows by the sign of a derivative, as far as that is known while code is generated. Where it is not, the
+//! side is taken on which the difference of the two, as it stands, is above zero; that of its negative is the same side.
+//! Where one of two is not a number, the larger and the smaller of them are the other, and so is the derivative.
 
-use crate::graph::{ExprId, Function, Graph, Rational};
+use crate::graph::{ExprId, Function, Graph, Node, Rational};
 
 /// Whether the function is one of several alternatives.
 pub(super) fn is_choice(function: Function) -> bool {
@@ -58,54 +59,40 @@ pub(super) fn taken(
     if function == Function::Select {
         return Taken::First([operands[0], operands[1]]);
     }
-    // At a tie the first is taken where it goes above the other and the larger is wanted, or below and the smaller.
-    let apart = first
-        .iter()
-        .zip(second)
-        .find(|(first, second)| first != second);
-    let Some((first, second)) = apart else {
-        return Taken::First([choice, a]);
-    };
-    let growth = if function == Function::Max {
-        graph.subtract(*first, *second)
+    let mut both = first.iter().zip(second);
+    let apart = both.find(|(first, second)| first != second);
+    let growth = apart.map(|(first, second)| graph.subtract(*first, *second));
+    let difference = graph.subtract(a, b);
+    if goes_above(graph, difference, growth) == (function == Function::Max) {
+        Taken::First([choice, a])
     } else {
-        graph.subtract(*second, *first)
-    };
-    let sign = graph.sign(growth);
-    if sign.is_not_negative() {
-        return Taken::First([choice, a]);
+        Taken::Second([choice, b])
     }
-    if sign.is_not_positive() {
-        return Taken::Second([choice, b]);
-    }
-    let [one, zero] = [graph.one(), graph.integer(0)];
-    let larger = graph.apply(Function::Max, [growth, zero].as_slice());
-    let at_tie = graph.apply(Function::Select, [larger, growth, one, zero].as_slice());
-    let apart = graph.apply(Function::Select, [choice, a, one, zero].as_slice());
-    let is_first = graph.apply(Function::Select, [a, b, at_tie, apart].as_slice());
-    Taken::First([is_first, one])
 }
 
 /// The derivative of a size by what it is the size of, 1 or −1, from the derivatives of the latter.
 pub(super) fn side(graph: &mut Graph, of: ExprId, inner: &[ExprId]) -> ExprId {
-    let is_zero = |graph: &Graph, id: ExprId| graph.as_number(id).is_some_and(Rational::is_zero);
-    let growth = inner
-        .iter()
-        .copied()
-        .find(|partial| !is_zero(graph, *partial));
-    let sign = growth.map(|growth| (growth, graph.sign(growth)));
-    match sign {
-        Some((_, sign)) if sign.is_not_positive() && !sign.is_not_negative() => {
-            let opposite = graph.negate(of);
-            let side = graph.apply(Function::Side, [opposite].as_slice());
-            graph.negate(side)
-        }
-        Some((growth, sign)) if !sign.is_not_negative() => {
-            let zero = graph.integer(0);
-            let at_zero = graph.apply(Function::Side, [growth].as_slice());
-            let apart = graph.apply(Function::Side, [of].as_slice());
-            graph.apply(Function::Select, [of, zero, at_zero, apart].as_slice())
-        }
-        _ => graph.apply(Function::Side, [of].as_slice()),
+    let is_zero = |id: &ExprId| graph.as_number(*id).is_some_and(Rational::is_zero);
+    let growth = inner.iter().copied().find(|partial| !is_zero(partial));
+    if goes_above(graph, of, growth) {
+        return graph.apply(Function::Side, [of].as_slice());
+    }
+    let opposite = graph.negate(of);
+    let side = graph.apply(Function::Side, [opposite].as_slice());
+    graph.negate(side)
+}
+
+/// Whether a difference is above zero on the side of a corner that is taken, from its first derivative that is not 0.
+fn goes_above(graph: &Graph, difference: ExprId, growth: Option<ExprId>) -> bool {
+    match growth.map(|growth| graph.sign(growth)) {
+        Some(sign) if sign.is_not_negative() => true,
+        Some(sign) if sign.is_not_positive() => false,
+        _ => match graph.node(difference) {
+            Node::Sum(terms) => {
+                let first = terms.iter().min_by_key(|(operand, _)| *operand);
+                first.is_none_or(|(_, coefficient)| !coefficient.is_negative())
+            }
+            _ => true,
+        },
     }
 }

@@ -1,6 +1,6 @@
 //! The points at which a form is held against the formula as written.
 
-use crate::graph::{ExprId, Graph, Node, Sign, Sizes, Symbol, SymbolId};
+use crate::graph::{Domain, ExprId, Graph, Node, Sizes, Symbol, SymbolId};
 
 /// How many points have numbers of everyday sizes.
 const ORDINARY: u64 = 96;
@@ -112,14 +112,35 @@ fn differences(graph: &Graph, roots: &[ExprId]) -> Vec<Difference> {
     differences
 }
 
-/// A number within a symbol's domain of that size.
+/// A number within a symbol's domain, of that size as far as the domain allows.
 fn within(symbol: &Symbol, value: f64) -> f64 {
-    if symbol.sign.is_not_negative() {
+    let Domain { sign, lower, upper } = symbol.domain;
+    let signed = if sign.is_not_negative() {
         value.abs()
-    } else if symbol.sign.is_not_positive() {
+    } else if sign.is_not_positive() {
         -value.abs()
     } else {
         value
+    };
+    if signed < lower || upper < signed {
+        return inside(symbol.domain, value);
+    }
+    signed
+}
+
+/// A number inside of bounds, at a share of the way from one to the other that is the number's own.
+fn inside(Domain { lower, upper, .. }: Domain, value: f64) -> f64 {
+    // The digits of a number of any size.
+    let share = (value.abs().log2() * 16.0).rem_euclid(1.0);
+    let share = if share.is_finite() { share } else { 0.0 };
+    if lower > 0.0 && upper.is_finite() {
+        lower * (upper / lower).powf(share)
+    } else if lower.is_finite() && upper.is_finite() {
+        lower + share * (upper - lower)
+    } else if lower.is_finite() {
+        lower + value.abs()
+    } else {
+        upper - value.abs()
     }
 }
 
@@ -185,28 +206,20 @@ fn mixed(graph: &Graph, number: u64) -> Vec<f64> {
     symbols.map(|(_, symbol)| symbol).map(value).collect()
 }
 
-/// Whether a number is in a domain; what is no number is in that of a symbol of which nothing is said.
-fn is_allowed(sign: Sign, value: f64) -> bool {
-    if value.is_nan() {
-        sign == Sign::UNKNOWN
-    } else if value == 0.0 {
-        sign.zero
-    } else if value > 0.0 {
-        sign.positive
-    } else {
-        sign.negative
-    }
-}
-
 /// Points of which one number is special.
 fn alone(graph: &Graph, places: &[usize]) -> Vec<Vec<f64>> {
-    let signs: Vec<Sign> = graph.symbols().map(|(_, symbol)| symbol.sign).collect();
+    let domains: Vec<Domain> = graph.symbols().map(|(_, symbol)| symbol.domain).collect();
     let special = special(graph.sizes);
-    let pairs = places
-        .iter()
-        .flat_map(|place| special.iter().map(|value| (*place, *value)));
+    let edges = |place: usize| {
+        let Domain { lower, upper, .. } = domains[place];
+        [lower, upper].into_iter().filter(|edge| edge.is_finite())
+    };
+    let pairs = places.iter().flat_map(|place| {
+        let values = special.iter().copied().chain(edges(*place));
+        values.map(|value| (*place, value))
+    });
     let pairs: Vec<(usize, f64)> = pairs
-        .filter(|(place, value)| is_allowed(signs[*place], *value))
+        .filter(|(place, value)| domains[*place].contains(*value))
         .collect();
     // Of many symbols each has some of them.
     let step = pairs.len().div_ceil(ALONE).max(1);
@@ -239,7 +252,7 @@ fn together(graph: &Graph, places: &[usize]) -> Vec<Vec<f64>> {
             .iter()
             .flat_map(|x| special.iter().map(move |y| [*x, *y]));
         let are_allowed = |[x, y]: &[f64; 2]| {
-            is_allowed(symbols[first].sign, *x) && is_allowed(symbols[second].sign, *y)
+            symbols[first].domain.contains(*x) && symbols[second].domain.contains(*y)
         };
         let point = |[x, y]: [f64; 2]| {
             let mut values = ordinary(&mut random);
@@ -253,7 +266,7 @@ fn together(graph: &Graph, places: &[usize]) -> Vec<Vec<f64>> {
         let mut values = ordinary(&mut random);
         for (value, symbol) in values.iter_mut().zip(&symbols) {
             let special = special[random.below(special.len() as u64) as usize];
-            if random.below(2) == 0 && is_allowed(symbol.sign, special) {
+            if random.below(2) == 0 && symbol.domain.contains(special) {
                 *value = special;
             }
         }

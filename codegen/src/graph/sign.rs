@@ -13,6 +13,95 @@ pub struct Sign {
     pub positive: bool,
 }
 
+/// Where a number may lie.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Domain {
+    /// Which signs it may have.
+    pub sign: Sign,
+    /// The least that it may be.
+    pub lower: f64,
+    /// The greatest that it may be.
+    pub upper: f64,
+}
+
+impl Default for Domain {
+    /// Anywhere.
+    fn default() -> Self {
+        Self::of_sign(Sign::UNKNOWN)
+    }
+}
+
+impl Domain {
+    /// Anywhere with such a sign.
+    pub fn of_sign(sign: Sign) -> Self {
+        Self {
+            sign,
+            lower: f64::NEG_INFINITY,
+            upper: f64::INFINITY,
+        }
+    }
+
+    /// From a number on.
+    pub fn at_least(lower: f64) -> Self {
+        let sign = if lower > 0.0 {
+            Sign::POSITIVE
+        } else {
+            Sign::UNKNOWN
+        };
+        Self {
+            lower,
+            ..Self::of_sign(sign)
+        }
+    }
+
+    /// Up to a number.
+    pub fn at_most(upper: f64) -> Self {
+        let sign = if upper < 0.0 {
+            Sign::NEGATIVE
+        } else {
+            Sign::UNKNOWN
+        };
+        Self {
+            upper,
+            ..Self::of_sign(sign)
+        }
+    }
+
+    /// Where it may lie if it is in both.
+    pub fn and(self, other: Self) -> Self {
+        Self {
+            sign: self.sign.and(other.sign),
+            lower: self.lower.max(other.lower),
+            upper: self.upper.min(other.upper),
+        }
+    }
+
+    /// Whether no number is in it.
+    pub fn is_empty(self) -> bool {
+        let Sign {
+            negative,
+            zero,
+            positive,
+        } = self.sign;
+        self.lower > self.upper || !(negative || zero || positive)
+    }
+
+    /// Whether a number is in it; what is no number is where nothing is said.
+    pub fn contains(self, value: f64) -> bool {
+        if value.is_nan() {
+            return self == Self::default();
+        }
+        let fits = if value == 0.0 {
+            self.sign.zero
+        } else if value > 0.0 {
+            self.sign.positive
+        } else {
+            self.sign.negative
+        };
+        fits && self.lower <= value && value <= self.upper
+    }
+}
+
 impl Sign {
     /// Nothing is known.
     pub const UNKNOWN: Self = Self {
@@ -152,7 +241,7 @@ impl Graph {
         match node {
             Node::Number(value) => Sign::of_number(value),
             Node::Constant(_) => Sign::POSITIVE,
-            Node::Symbol(symbol) => self.symbol(*symbol).sign,
+            Node::Symbol(symbol) => self.symbol(*symbol).domain.sign,
             Node::Sum(terms) => {
                 let mut terms = terms.iter().map(|(operand, coefficient)| {
                     let sign = self.sign(*operand);
@@ -234,7 +323,7 @@ mod tests {
     fn signs_follow_the_declared_domains() {
         let mut graph = Graph::new();
         let x = graph.symbol_named("x");
-        graph.assume(x, Sign::POSITIVE);
+        graph.assume(x, Domain::of_sign(Sign::POSITIVE));
         let x = graph.symbol_expression(x);
         let y = graph.symbol_named("y");
         let y = graph.symbol_expression(y);

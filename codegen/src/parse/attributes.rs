@@ -11,7 +11,7 @@ use syn::{Attribute, BinOp, Expr, Ident, Lit, Token};
 
 use crate::cost::Measure;
 use crate::diagnostics::{Diagnostics, nearest};
-use crate::graph::Sign;
+use crate::graph::{Domain, Sign};
 
 /// A number named in an attribute: a parameter, `c.field` or `a[0]`, with its place for messages.
 #[derive(Clone, Debug)]
@@ -114,7 +114,7 @@ pub struct FunctionAttributes {
     /// `#[generate(…)]`
     pub request: Option<Request>,
     /// `#[domain(…)]`
-    pub domain: Vec<(Target, Sign)>,
+    pub domain: Vec<(Target, Domain)>,
     /// `#[approximate(…)]`
     pub approximation: Option<Approximation>,
     /// `#[specialise(…)]`, any number of them.
@@ -177,8 +177,7 @@ fn example(attribute: &str) -> &'static str {
     }
 }
 
-const DOMAIN: &str =
-    "write comparisons with zero: x > 0.0, x >= 0.0, x < 0.0, x <= 0.0 or x != 0.0";
+const DOMAIN: &str = "write comparisons with a number: x > 0.0, x <= 2.0 or x != 0.0";
 
 const SPECIALISATION: &str =
     "write for example specialise(phi_on_sir, omega = speed, generate(gradient(speed)))";
@@ -392,28 +391,27 @@ fn budget(
     }
 }
 
-fn domain(condition: &Expr, diagnostics: &mut Diagnostics) -> Option<(Target, Sign)> {
+fn domain(condition: &Expr, diagnostics: &mut Diagnostics) -> Option<(Target, Domain)> {
     if let Expr::Binary(binary) = condition
-        && is_zero(&binary.right)
+        && let Some(bound) = number(&binary.right)
     {
-        let sign = match binary.op {
-            BinOp::Gt(_) => Some(Sign::POSITIVE),
-            BinOp::Ge(_) => Some(Sign::NOT_NEGATIVE),
-            BinOp::Lt(_) => Some(Sign::NEGATIVE),
-            BinOp::Le(_) => Some(Sign::NOT_POSITIVE),
-            BinOp::Ne(_) => Some(Sign::NOT_ZERO),
+        let domain = match binary.op {
+            BinOp::Gt(_) if bound == 0.0 => Some(Domain::of_sign(Sign::POSITIVE)),
+            BinOp::Ge(_) if bound == 0.0 => Some(Domain::of_sign(Sign::NOT_NEGATIVE)),
+            BinOp::Lt(_) if bound == 0.0 => Some(Domain::of_sign(Sign::NEGATIVE)),
+            BinOp::Le(_) if bound == 0.0 => Some(Domain::of_sign(Sign::NOT_POSITIVE)),
+            BinOp::Ne(_) if bound == 0.0 => Some(Domain::of_sign(Sign::NOT_ZERO)),
+            // Whether the bound itself is in it is no matter to a form.
+            BinOp::Gt(_) | BinOp::Ge(_) => Some(Domain::at_least(bound)),
+            BinOp::Lt(_) | BinOp::Le(_) => Some(Domain::at_most(bound)),
             _ => None,
         };
-        if let Some(sign) = sign {
-            return target(&binary.left, diagnostics).map(|target| (target, sign));
+        if let Some(domain) = domain {
+            return target(&binary.left, diagnostics).map(|target| (target, domain));
         }
     }
     diagnostics.error_with_hint(condition.span(), "not a domain", DOMAIN);
     None
-}
-
-fn is_zero(expression: &Expr) -> bool {
-    number(expression).is_some_and(|value| value == 0.0)
 }
 
 /// A literal number of an attribute.

@@ -13,7 +13,7 @@ use proc_macro2::Span;
 use syn::spanned::Spanned;
 use syn::{Expr, Lit};
 
-use super::attributes::Approximation;
+use super::attributes::{Approximation, root};
 use super::literal;
 use super::module::{Function, Module, ParameterKind};
 use super::numbers;
@@ -113,11 +113,22 @@ impl<'m> Reader<'m> {
 
     /// Declares the function's domains; call it before anything is built.
     fn assume_domain(&mut self, function: &Function) {
-        for (symbol, sign, _) in &function.domain {
-            // What is no number of the function is reported with the module.
-            if numbers::misfit(self.module, function, symbol).is_none() {
+        let own = function
+            .domain
+            .iter()
+            .map(|(symbol, domain, _)| (symbol, domain));
+        let of_module = self
+            .module
+            .domain
+            .iter()
+            .map(|(symbol, domain)| (symbol, domain));
+        for (symbol, domain) in own.chain(of_module) {
+            // What is no number of the function is reported with the module, or is another function's.
+            if function.parameter(root(symbol)).is_some()
+                && numbers::misfit(self.module, function, symbol).is_none()
+            {
                 let id = self.graph.symbol_named(symbol);
-                self.graph.assume(id, *sign);
+                self.graph.assume(id, *domain);
             }
         }
     }

@@ -12,7 +12,7 @@ use super::attributes::{Approximation, FunctionAttributes, OWN, Request, Special
 use super::imports::Imports;
 use super::{cycles, numbers, signature, specialise};
 use crate::diagnostics::Diagnostics;
-use crate::graph::{Sign, Sizes};
+use crate::graph::{Domain, Sizes};
 
 /// A module of formulas.
 #[derive(Debug)]
@@ -31,6 +31,8 @@ pub struct Module {
     pub structs: Vec<(String, Vec<String>)>,
     /// How large the numbers are that its functions are given.
     pub sizes: Sizes,
+    /// Where numbers of some names lie wherever a function takes them.
+    pub domain: Vec<(String, Domain)>,
 }
 
 /// A function of the module.
@@ -42,8 +44,8 @@ pub struct Function {
     pub parameters: Vec<Parameter>,
     /// What is asked of it.
     pub request: Option<Request>,
-    /// Declared domains: symbol, sign, place.
-    pub domain: Vec<(String, Sign, Span)>,
+    /// Declared domains: symbol, domain, place.
+    pub domain: Vec<(String, Domain, Span)>,
     /// Whether and how it is tabulated.
     pub approximation: Option<Approximation>,
     /// Whether its signature and its approximation can be taken and it does not call itself. Where not, that is reported,
@@ -133,6 +135,7 @@ impl Module {
             cyclic_constants: BTreeSet::new(),
             structs: Vec::new(),
             sizes: Sizes::All,
+            domain: Vec::new(),
         };
         let Some((_, items)) = &mut item.content else {
             diagnostics.error_with_hint(

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::attributes::{Request, Target, root};
 use super::module::{Function, Module, ParameterKind};
 use crate::diagnostics::{Diagnostics, alike};
-use crate::graph::Sign;
+use crate::graph::Domain;
 
 /// Reports what a function's forms are derived by that is no number of it.
 pub(super) fn check_targets(module: &Module, diagnostics: &mut Diagnostics) {
@@ -19,22 +19,16 @@ pub(super) fn check_targets(module: &Module, diagnostics: &mut Diagnostics) {
 /// Reports domains of what is no number of the function, and such that nothing meets.
 pub(super) fn check_domains(module: &Module, diagnostics: &mut Diagnostics) {
     for function in &module.functions {
-        let mut signs: BTreeMap<&str, Sign> = BTreeMap::new();
-        for (symbol, sign, span) in &function.domain {
+        let mut domains: BTreeMap<&str, Domain> = BTreeMap::new();
+        for (symbol, domain, span) in &function.domain {
             let target = Target {
                 symbol: symbol.clone(),
                 span: *span,
             };
             check(module, function, &target, diagnostics);
-            let known = signs.entry(symbol).or_insert(Sign::UNKNOWN);
-            let both = known.and(*sign);
-            if both
-                == (Sign {
-                    negative: false,
-                    zero: false,
-                    positive: false,
-                })
-            {
+            let known = domains.entry(symbol).or_default();
+            let both = known.and(*domain);
+            if both.is_empty() {
                 diagnostics.error_with_hint(
                     *span,
                     format!("no `{symbol}` meets this and what is said of it before"),

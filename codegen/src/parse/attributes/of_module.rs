@@ -6,15 +6,17 @@ use syn::punctuated::Punctuated;
 use syn::spanned::Spanned;
 use syn::{Expr, Token};
 
-use super::number;
+use super::{Target, domain, number};
 use crate::diagnostics::Diagnostics;
-use crate::graph::Sizes;
+use crate::graph::{Domain, Sizes};
 
 /// What stands in the parentheses of `#[symbolic(…)]`.
 #[derive(Clone, Debug, Default)]
 pub struct ModuleAttribute {
     /// The words of `latex(…)`, each a name and its symbol.
     pub latex: Vec<Expr>,
+    /// Where numbers of some names lie wherever a function takes them: `domain(c.beta <= 2.0)`.
+    pub domain: Vec<(Target, Domain)>,
     /// The sizes of the module's numbers: `sizes = 1e-9..=1e9`.
     pub sizes: Sizes,
 }
@@ -30,6 +32,11 @@ impl ModuleAttribute {
             Ok(words) => {
                 for word in &words {
                     match word {
+                        Expr::Call(call) if is(&call.func, "domain") => {
+                            let conditions = call.args.iter();
+                            let read_all = conditions.filter_map(|word| domain(word, diagnostics));
+                            read.domain.extend(read_all);
+                        }
                         Expr::Call(call) if is(&call.func, "latex") => read.latex.extend(call.args.iter().cloned()),
                         Expr::Assign(assign) if is(&assign.left, "sizes") => match sizes(&assign.right) {
                             Some(sizes) => read.sizes = sizes,
@@ -41,7 +48,7 @@ impl ModuleAttribute {
                         },
                         other => diagnostics.error_with_hint(
                             other.span(),
-                            "`symbolic` takes the sizes of numbers and a table of symbols, and nothing else",
+                            "`symbolic` takes the sizes and domains of numbers and a table of symbols, and nothing else",
                             MODULE,
                         ),
                     }
