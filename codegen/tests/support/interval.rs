@@ -1,0 +1,463 @@
+//! An `f64` as Rust computes it, and bounds of the number that it stands for: a running error bound that knows the ends of
+//! the range, so that overflow and underflow are in it.
+
+use std::cell::RefCell;
+use std::collections::HashMap;
+
+use super::high_precision::is_exact;
+use super::tape::{Arithmetic, Binary, Comparison, Unary, constant_value, is_first};
+
+/// Below this size the rounding error of a product may itself be rounded.
+const SMALL: f64 = 1e-280;
+/// The largest change of a tangent that is still of first order.
+const COARSE: f64 = 1e-2;
+
+thread_local! {
+    static LITERALS: RefCell<HashMap<String, Interval>> = RefCell::new(HashMap::new());
+}
+
+/// What is known of the exact number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Knowledge {
+    /// It lies between the bounds.
+    Bounded,
+    /// It is NaN, whatever is rounded.
+    NoNumber,
+    /// Nothing.
+    Unknown,
+}
+
+/// A result and bounds of the exact number.
+#[derive(Clone, Copy, Debug)]
+pub struct Interval {
+    pub value: f64,
+    pub low: f64,
+    pub high: f64,
+    pub knowledge: Knowledge,
+}
+
+impl Interval {
+    pub fn exactly(value: f64) -> Self {
+        Self {
+            value,
+            low: value,
+            high: value,
+            knowledge: if value.is_nan() {
+                Knowledge::NoNumber
+            } else {
+                Knowledge::Bounded
+            },
+        }
+    }
+
+    fn unknown(value: f64) -> Self {
+        Self {
+            value,
+            low: f64::NEG_INFINITY,
+            high: f64::INFINITY,
+            knowledge: Knowledge::Unknown,
+        }
+    }
+
+    fn between(value: f64, low: f64, high: f64) -> Self {
+        if value.is_nan() || low.is_nan() || high.is_nan() {
+            return Self::unknown(value);
+        }
+        Self {
+            value,
+            low: low.min(value),
+            high: high.max(value),
+            knowledge: Knowledge::Bounded,
+        }
+    }
+
+    pub fn is_bounded(self) -> bool {
+        self.knowledge == Knowledge::Bounded
+    }
+
+    fn is_point(self) -> bool {
+        self.is_bounded() && self.low == self.high
+    }
+
+    fn holds_zero(self) -> bool {
+        self.low <= 0.0 && self.high >= 0.0
+    }
+
+    /// How far the exact number may be from the value.
+    pub fn error(self) -> f64 {
+        if self.is_point() {
+            return 0.0;
+        }
+        (self.high - self.value).max(self.value - self.low)
+    }
+
+    /// What the operands already decide.
+    fn inherited(value: f64, operands: &[Self]) -> Option<Self> {
+        let any = |knowledge| operands.iter().any(|one| one.knowledge == knowledge);
+        if any(Knowledge::Unknown) {
+            return Some(Self::unknown(value));
+        }
+        any(Knowledge::NoNumber).then(|| Self::exactly(f64::NAN))
+    }
+
+    fn negative(self) -> Self {
+        Self {
+            value: -self.value,
+            low: -self.high,
+            high: -self.low,
+            knowledge: self.knowledge,
+        }
+    }
+
+    fn size(self) -> Self {
+        let value = self.value.abs();
+        if !self.is_bounded() {
+            return Self { value, ..self };
+        }
+        let (low, high) = (self.low.abs(), self.high.abs());
+        let least = if self.holds_zero() { 0.0 } else { low.min(high) };
+        Self::between(value, least, low.max(high))
+    }
+
+    fn from_ends(
+        value: f64,
+        operands: [Self; 2],
+        ends: &[(f64, f64)],
+        operation: impl Fn(f64, f64) -> (f64, bool),
+    ) -> Self {
+        let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+        for (a, b) in ends {
+            let (end, exact) = operation(*a, *b);
+            if end.is_nan() {
+                let certain = operands.iter().all(|operand| operand.is_point());
+                return if certain {
+                    Self::exactly(f64::NAN)
+                } else {
+                    Self::unknown(value)
+                };
+            }
+            low = low.min(if exact { end } else { end.next_down() });
+            high = high.max(if exact { end } else { end.next_up() });
+        }
+        Self::between(value, low, high)
+    }
+
+    fn sum(self, other: Self) -> Self {
+        let value = self.value + other.value;
+        Self::inherited(value, &[self, other]).unwrap_or_else(|| {
+            let ends = [(self.low, other.low), (self.high, other.high)];
+            Self::from_ends(value, [self, other], &ends, exact_sum)
+        })
+    }
+
+    fn product(self, other: Self) -> Self {
+        let value = self.value * other.value;
+        Self::inherited(value, &[self, other]).unwrap_or_else(|| {
+            Self::from_ends(value, [self, other], &corners(self, other), exact_product)
+        })
+    }
+
+    fn quotient(self, other: Self) -> Self {
+        let value = self.value / other.value;
+        if let Some(result) = Self::inherited(value, &[self, other]) {
+            return result;
+        }
+        if other.holds_zero() {
+            return match (other.is_point(), self.is_point()) {
+                (true, true) => Self::exactly(value),
+                (true, false) if !self.holds_zero() => Self::exactly(value),
+                _ => Self::unknown(value),
+            };
+        }
+        Self::from_ends(value, [self, other], &corners(self, other), exact_quotient)
+    }
+
+    fn sqrt(self) -> Self {
+        let value = self.value.sqrt();
+        Self::inherited(value, &[self]).unwrap_or_else(|| {
+            if self.high < 0.0 {
+                return Self::exactly(f64::NAN);
+            }
+            if self.low < 0.0 {
+                return Self::unknown(value);
+            }
+            let ends = [(self.low, 0.0), (self.high, 0.0)];
+            Self::from_ends(value, [self, self], &ends, |x, _| exact_root(x))
+        })
+    }
+
+    /// A sine or cosine.
+    fn wave(self, value: f64) -> Self {
+        Self::inherited(value, &[self]).unwrap_or_else(|| {
+            if self.value == 0.0 && self.is_point() {
+                return Self::exactly(value);
+            }
+            if self.is_point() && self.value.is_infinite() {
+                return Self::exactly(f64::NAN);
+            }
+            let apart = self.error().next_up();
+            let (low, high) = (value - apart, value + apart);
+            Self::between(value, lowered(low).max(-1.0), raised(high).min(1.0))
+        })
+    }
+
+    fn tan(self) -> Self {
+        let value = self.value.tan();
+        Self::inherited(value, &[self]).unwrap_or_else(|| {
+            if self.value == 0.0 && self.is_point() {
+                return Self::exactly(value);
+            }
+            if self.is_point() && self.value.is_infinite() {
+                return Self::exactly(f64::NAN);
+            }
+            let change = 1.1 * self.error() * (1.0 + value * value);
+            if change.is_nan() || change > COARSE {
+                return Self::unknown(value);
+            }
+            Self::between(value, lowered(value - change), raised(value + change))
+        })
+    }
+
+    fn exp(self) -> Self {
+        let value = self.value.exp();
+        Self::inherited(value, &[self]).unwrap_or_else(|| {
+            if self.is_point() && (self.value == 0.0 || self.value.is_infinite()) {
+                return Self::exactly(value);
+            }
+            let (low, high) = (lowered(self.low.exp()), raised(self.high.exp()));
+            Self::between(value, low.max(0.0), high)
+        })
+    }
+
+    fn ln(self) -> Self {
+        let value = self.value.ln();
+        Self::inherited(value, &[self]).unwrap_or_else(|| {
+            if self.high < 0.0 {
+                return Self::exactly(f64::NAN);
+            }
+            if self.is_point() && [0.0, 1.0, f64::INFINITY].contains(&self.value) {
+                return Self::exactly(value);
+            }
+            if self.low <= 0.0 {
+                return Self::unknown(value);
+            }
+            Self::between(value, lowered(self.low.ln()), raised(self.high.ln()))
+        })
+    }
+
+    fn signum(self) -> Self {
+        let value = self.value.signum();
+        Self::inherited(value, &[self]).unwrap_or_else(|| {
+            if self.holds_zero() {
+                return Self::between(value, -1.0, 1.0);
+            }
+            Self::exactly(value)
+        })
+    }
+
+    fn hull(self, other: Self, value: f64) -> Self {
+        if self.is_bounded() && other.is_bounded() {
+            return Self::between(value, self.low.min(other.low), self.high.max(other.high));
+        }
+        Self::unknown(value)
+    }
+
+    fn extreme(larger: bool, x: Self, y: Self) -> Self {
+        let value = if larger {
+            x.value.max(y.value)
+        } else {
+            x.value.min(y.value)
+        };
+        match (x.knowledge, y.knowledge) {
+            (Knowledge::NoNumber, _) => y,
+            (_, Knowledge::NoNumber) => x,
+            (Knowledge::Bounded, Knowledge::Bounded) if larger => {
+                Self::between(value, x.low.max(y.low), x.high.max(y.high))
+            }
+            (Knowledge::Bounded, Knowledge::Bounded) => {
+                Self::between(value, x.low.min(y.low), x.high.min(y.high))
+            }
+            _ => Self::unknown(value),
+        }
+    }
+
+    fn whole_power(self, exponent: i32) -> Self {
+        let value = self.value.powi(exponent);
+        if let Some(result) = Self::inherited(value, &[self]) {
+            return result;
+        }
+        if exponent == 0 {
+            return Self::exactly(1.0);
+        }
+        let of_size = |x: f64| raised_power(Self::exactly(x.abs()), exponent.unsigned_abs());
+        let power = if exponent % 2 == 0 {
+            raised_power(self.size(), exponent.unsigned_abs())
+        } else {
+            let signed = |x: f64| {
+                let power = of_size(x);
+                if x < 0.0 { power.negative() } else { power }
+            };
+            let (low, high) = (signed(self.low), signed(self.high));
+            let between = low.value;
+            low.hull(high, between)
+        };
+        let power = if exponent < 0 {
+            Self::exactly(1.0).quotient(power)
+        } else {
+            power
+        };
+        if !power.is_bounded() {
+            return Self { value, ..power };
+        }
+        Self::between(value, power.low, power.high)
+    }
+}
+
+fn raised_power(mut square: Interval, mut rest: u32) -> Interval {
+    let mut power = Interval::exactly(1.0);
+    while rest > 0 {
+        if rest % 2 == 1 {
+            power = power.product(square);
+        }
+        rest /= 2;
+        if rest > 0 {
+            square = square.product(square);
+        }
+    }
+    power
+}
+
+fn corners(x: Interval, y: Interval) -> [(f64, f64); 4] {
+    [
+        (x.low, y.low),
+        (x.low, y.high),
+        (x.high, y.low),
+        (x.high, y.high),
+    ]
+}
+
+/// Below a result that is off by one unit in the last place.
+fn lowered(value: f64) -> f64 {
+    value.next_down().next_down()
+}
+
+/// Above a result that is off by one unit in the last place.
+fn raised(value: f64) -> f64 {
+    value.next_up().next_up()
+}
+
+/// A sum and whether it is exact.
+fn exact_sum(a: f64, b: f64) -> (f64, bool) {
+    let sum = a + b;
+    if a.is_infinite() || b.is_infinite() {
+        return (sum, true);
+    }
+    let part = sum - a;
+    let rest = (a - (sum - part)) + (b - part);
+    (sum, rest == 0.0)
+}
+
+/// A product and whether it is exact.
+fn exact_product(a: f64, b: f64) -> (f64, bool) {
+    let product = a * b;
+    let special = a.is_infinite() || b.is_infinite() || a == 0.0 || b == 0.0;
+    let rest = a.mul_add(b, -product);
+    (product, special || (product.abs() > SMALL && rest == 0.0))
+}
+
+/// A quotient and whether it is exact.
+fn exact_quotient(a: f64, b: f64) -> (f64, bool) {
+    let quotient = a / b;
+    let special = a.is_infinite() || b.is_infinite() || a == 0.0;
+    let rest = quotient.mul_add(-b, a);
+    let large = quotient.abs() > SMALL && a.abs() > SMALL;
+    (quotient, special || (large && rest == 0.0))
+}
+
+/// A root and whether it is exact.
+fn exact_root(x: f64) -> (f64, bool) {
+    let root = x.sqrt();
+    let special = x == 0.0 || x.is_infinite();
+    (root, special || (x > SMALL && root.mul_add(root, -x) == 0.0))
+}
+
+impl Arithmetic for Interval {
+    fn literal(digits: &str) -> Self {
+        LITERALS.with_borrow_mut(|known| {
+            *known.entry(digits.to_owned()).or_insert_with(|| {
+                let value: f64 = digits.parse().unwrap();
+                if is_exact(digits) {
+                    return Self::exactly(value);
+                }
+                Self::between(value, value.next_down(), value.next_up())
+            })
+        })
+    }
+
+    fn number(value: f64) -> Self {
+        Self::exactly(value)
+    }
+
+    fn constant(name: &str) -> Self {
+        let value = constant_value(name);
+        Self::between(value, value.next_down(), value.next_up())
+    }
+
+    fn unary(function: Unary, x: &Self) -> Self {
+        match function {
+            Unary::Negative => x.negative(),
+            Unary::Sqrt => x.sqrt(),
+            Unary::Sin => x.wave(x.value.sin()),
+            Unary::Cos => x.wave(x.value.cos()),
+            Unary::Tan => x.tan(),
+            Unary::Exp => x.exp(),
+            Unary::Ln => x.ln(),
+            Unary::Abs => x.size(),
+            Unary::Signum => x.signum(),
+            Unary::Recip => Self::exactly(1.0).quotient(*x),
+        }
+    }
+
+    fn binary(operation: Binary, x: &Self, y: &Self) -> Self {
+        match operation {
+            Binary::Add => x.sum(*y),
+            Binary::Subtract => x.sum(y.negative()),
+            Binary::Multiply => x.product(*y),
+            Binary::Divide => x.quotient(*y),
+            Binary::Min => Self::extreme(false, *x, *y),
+            Binary::Max => Self::extreme(true, *x, *y),
+        }
+    }
+
+    fn power(x: &Self, exponent: i32) -> Self {
+        x.whole_power(exponent)
+    }
+
+    fn mul_add(x: &Self, y: &Self, z: &Self) -> Self {
+        let value = x.value.mul_add(y.value, z.value);
+        let bounds = x.product(*y).sum(*z);
+        if !bounds.is_bounded() {
+            return Self { value, ..bounds };
+        }
+        Self::between(value, bounds.low, bounds.high)
+    }
+
+    fn select(_: Comparison, _: [&Self; 4]) -> Self {
+        panic!("only generated code has branches")
+    }
+
+    fn chosen(larger: bool, [u, v, x, y]: [&Self; 4]) -> Self {
+        let (first, value) = if is_first(larger, u.value, v.value) {
+            (x, x.value)
+        } else {
+            (y, y.value)
+        };
+        match (u.knowledge, v.knowledge) {
+            (Knowledge::NoNumber, _) => *y,
+            (_, Knowledge::NoNumber) => *x,
+            (Knowledge::Bounded, Knowledge::Bounded) if u.high < v.low || v.high < u.low => *first,
+            (Knowledge::Bounded, Knowledge::Bounded) => x.hull(*y, value),
+            _ => Self::unknown(value),
+        }
+    }
+}
