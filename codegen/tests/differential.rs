@@ -28,6 +28,8 @@ mod support {
 use std::collections::BTreeMap;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::mpsc::{Receiver, Sender, channel};
+use std::time::Duration;
 
 use support::comparison::{Failure, Report, Wrong, compare};
 use support::hostile::{Random, program};
@@ -42,6 +44,10 @@ const PROGRAMS: usize = 2000;
 const EMITTED: usize = 10;
 /// One program in as many has every number compared with 77 digits.
 const IN_FULL: usize = 16;
+/// How long a program may take.
+const PATIENCE: Duration = Duration::from_secs(10);
+/// After so many programs on which the generator does not end there is no time for others.
+const MOST_LEFT_BEHIND: usize = 4;
 
 fn from_environment(name: &str) -> Option<usize> {
     std::env::var(name).ok()?.parse().ok()
@@ -67,12 +73,11 @@ impl Run {
             Ok(mut report) => {
                 let failures = std::mem::take(&mut report.failures);
                 self.report.add(report);
-                // One failure of each kind is enough.
-                let mut seen: Vec<(Wrong, String)> = Vec::new();
+                // One failure of each kind is enough: what is wrong in a form is often wrong in the next.
+                let mut seen: Vec<Wrong> = Vec::new();
                 for failure in failures {
-                    let kind = (failure.wrong, failure.form.clone());
-                    if !seen.contains(&kind) {
-                        seen.push(kind);
+                    if !seen.contains(&failure.wrong) {
+                        seen.push(failure.wrong);
                         self.failing.push((program.clone(), failure));
                     }
                 }
@@ -114,41 +119,85 @@ fn checked(program: &Program, points: &[(Place, Inputs)], number: usize) -> Resu
     match Subject::of(&program.source(), &wanted) {
         Ok(subject) => Ok(compare(&subject, points, number.is_multiple_of(IN_FULL))),
         Err(Missing::Refused(message)) => Err(message),
-        Err(Missing::Panicked(text)) => {
-            let failure = Failure {
-                wrong: Wrong::Panic,
-                form: "hessian".to_owned(),
-                number: "all".to_owned(),
-                place: Place::Ordinary,
-                inputs: points[0].1,
-                text,
-            };
-            Ok(Report {
-                failures: vec![failure],
-                ..Report::default()
-            })
-        }
+        Err(Missing::Panicked(text)) => Ok(Report::of_failure(Wrong::Panic, points[0].1, text)),
+    }
+}
+
+/// Checks programs in a thread of its own, so that one on which the generator does not end can be left behind.
+struct Worker {
+    numbers: Sender<usize>,
+    outcomes: Receiver<Result<Report, String>>,
+}
+
+impl Worker {
+    fn new(seed: u64) -> Self {
+        let (numbers, of_number) = channel();
+        let (of_outcome, outcomes) = channel();
+        std::thread::spawn(move || {
+            for number in of_number {
+                let (program, points) = case(seed, number);
+                // It may have been left behind.
+                if of_outcome.send(checked(&program, &points, number)).is_err() {
+                    break;
+                }
+            }
+        });
+        Self { numbers, outcomes }
+    }
+
+    /// What comes of the program of that number; None where there is nothing in time.
+    fn checked(&self, number: usize) -> Option<Result<Report, String>> {
+        self.numbers.send(number).ok()?;
+        self.outcomes.recv_timeout(PATIENCE).ok()
     }
 }
 
 fn run(seed: u64, programs: usize, threads: usize) -> Run {
     let (next, result) = (AtomicUsize::new(0), Mutex::new(Run::default()));
+    let left_behind = AtomicUsize::new(0);
     std::thread::scope(|scope| {
         for _ in 0..threads {
             scope.spawn(|| {
+                let mut worker = Worker::new(seed);
                 loop {
                     let number = next.fetch_add(1, Ordering::Relaxed);
                     if number >= programs {
                         break;
                     }
                     let (program, points) = case(seed, number);
-                    let outcome = checked(&program, &points, number);
+                    let begun = std::time::Instant::now();
+                    let outcome = worker.checked(number).unwrap_or_else(|| {
+                        worker = Worker::new(seed);
+                        if left_behind.fetch_add(1, Ordering::Relaxed) + 1 >= MOST_LEFT_BEHIND {
+                            next.store(programs, Ordering::Relaxed);
+                        }
+                        let text = format!("nothing after {PATIENCE:?}");
+                        Ok(Report::of_failure(Wrong::Time, points[0].1, text))
+                    });
+                    if std::env::var("FUZZ_TRACE").is_ok() {
+                        println!("TIME {} {number}", begun.elapsed().as_millis());
+                        if begun.elapsed().as_millis() > 3000 { println!("{}", program.source()); }
+                    }
                     result.lock().unwrap().add(program, outcome);
                 }
             });
         }
     });
     result.into_inner().unwrap()
+}
+
+/// The failures of each kind by turns, so that the first few are of different kinds.
+fn distinct(failing: &[(Program, Failure)]) -> Vec<&(Program, Failure)> {
+    let mut kinds: BTreeMap<(Wrong, Place, &str), usize> = BTreeMap::new();
+    let mut ranked: Vec<(usize, &(Program, Failure))> = Vec::new();
+    for case in failing {
+        let form = case.1.form.split(' ').next().unwrap_or_default();
+        let rank = kinds.entry((case.1.wrong, case.1.place, form)).or_default();
+        ranked.push((*rank, case));
+        *rank += 1;
+    }
+    ranked.sort_by_key(|(rank, _)| *rank);
+    ranked.into_iter().map(|(_, case)| case).collect()
 }
 
 fn described(program: &Program, failure: &Failure) -> String {
@@ -174,7 +223,7 @@ fn generated_code_is_at_least_as_right_as_the_function_as_written() {
     println!("{}", run.summary());
     let shown = from_environment("FUZZ_SHOWN").unwrap_or(5);
     let mut texts = Vec::new();
-    for (program, failure) in run.failing.iter().take(shown) {
+    for (program, failure) in distinct(&run.failing).into_iter().take(shown) {
         let (program, failure) = shrunk(program, failure);
         texts.push(described(&program, &failure));
     }

@@ -24,6 +24,8 @@ pub enum Wrong {
     Count,
     /// The generator panicked.
     Panic,
+    /// It did not end in time.
+    Time,
     /// The bound of the function as written does not hold the truth: a mistake of this test.
     Bound,
 }
@@ -54,6 +56,22 @@ pub struct Report {
 }
 
 impl Report {
+    /// That of a program that gave nothing to compare.
+    pub fn of_failure(wrong: Wrong, inputs: Inputs, text: String) -> Self {
+        let failure = Failure {
+            wrong,
+            form: "hessian".to_owned(),
+            number: "all".to_owned(),
+            place: Kind::Ordinary,
+            inputs,
+            text,
+        };
+        Self {
+            failures: vec![failure],
+            ..Self::default()
+        }
+    }
+
     pub fn add(&mut self, other: Self) {
         self.values += other.values;
         self.derivatives += other.derivatives;

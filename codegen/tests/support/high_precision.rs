@@ -80,9 +80,9 @@ impl Size {
     }
 
     fn as_number(self) -> BigFloat {
-        let mut number = BigFloat::from_f64(1.0, DIGITS);
+        let mut number = big(1.0);
         if self == Self::ZERO {
-            return BigFloat::from_f64(0.0, DIGITS);
+            return big(0.0);
         }
         number.set_exponent(self.0.ceil() as i32 + 1);
         number
@@ -105,7 +105,7 @@ impl HighPrecision {
         };
         let value = if value.is_finite() { value } else { 0.0 };
         Self {
-            value: BigFloat::from_f64(value, DIGITS),
+            value: big(value),
             error,
         }
     }
@@ -152,7 +152,7 @@ impl HighPrecision {
 
     /// How far another number is away, to the nearest `f64`.
     pub fn distance(&self, other: f64) -> f64 {
-        let other = BigFloat::from_f64(other, DIGITS);
+        let other = big(other);
         to_f64(&other.sub(&self.value, DIGITS, ROUNDING).abs())
     }
 
@@ -252,7 +252,7 @@ impl HighPrecision {
             return Self::exactly(sign);
         }
         Self {
-            value: BigFloat::from_f64(0.0, DIGITS),
+            value: big(0.0),
             error: Size(0.0),
         }
     }
@@ -278,6 +278,19 @@ impl HighPrecision {
             error: apart.plus(first.error).larger(second.error),
         }
     }
+}
+
+/// An `f64` in 77 digits. The library takes subnormal ones for others.
+fn big(value: f64) -> BigFloat {
+    const SHIFT: i32 = 200;
+    if value == 0.0 || value.is_normal() {
+        return BigFloat::from_f64(value, DIGITS);
+    }
+    let mut number = BigFloat::from_f64(value * 2.0_f64.powi(SHIFT), DIGITS);
+    if let Some(exponent) = number.exponent() {
+        number.set_exponent(exponent - SHIFT);
+    }
+    number
 }
 
 /// The nearest `f64`, or one beside it.
@@ -307,7 +320,7 @@ fn decimal(digits: &str) -> HighPrecision {
         BigFloat::parse(digits, Radix::Dec, DIGITS, ROUNDING, constants)
     });
     let nearest: f64 = digits.parse().unwrap();
-    let exact = BigFloat::from_f64(nearest, DIGITS);
+    let exact = big(nearest);
     if value.cmp(&exact) == Some(0) {
         return HighPrecision::exactly(nearest);
     }
@@ -336,7 +349,7 @@ impl Arithmetic for HighPrecision {
             "PI" | "FRAC_PI_2" => constants.pi(DIGITS, ROUNDING),
             "E" => constants.e(DIGITS, ROUNDING),
             "LN_2" => constants.ln_2(DIGITS, ROUNDING),
-            "SQRT_2" => BigFloat::from_f64(2.0, DIGITS).sqrt(DIGITS, ROUNDING),
+            "SQRT_2" => big(2.0).sqrt(DIGITS, ROUNDING),
             other => panic!("unknown constant {other}"),
         };
         let value = Self::correctly_rounded(constant, Size::ZERO);
@@ -423,9 +436,17 @@ impl std::fmt::Display for HighPrecision {
             (value.unwrap_or_default(), error.unwrap_or_default())
         });
         let exponent = |text: &str| text.find('e').map_or("", |at| &text[at..]).to_owned();
-        let digits: String = text.0.chars().take(24).collect();
-        let error: String = text.1.chars().take(4).collect();
-        let (of_value, of_error) = (exponent(&text.0), exponent(&text.1));
-        write!(f, "{digits}{of_value} ± {error}{of_error}")
+        let digits = |text: &str, most: usize| -> String {
+            let digits = text.chars().take_while(|digit| *digit != 'e');
+            digits.take(most).collect()
+        };
+        write!(
+            f,
+            "{}{} ± {}{}",
+            digits(&text.0, 24),
+            exponent(&text.0),
+            digits(&text.1, 4),
+            exponent(&text.1)
+        )
     }
 }

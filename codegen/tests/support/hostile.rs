@@ -74,7 +74,7 @@ const HOSTILE: [&str; 14] = [
 const FUNCTIONS: [&str; 10] = [
     "sqrt", "sin", "cos", "tan", "exp", "ln", "abs", "recip", "sqrt", "signum",
 ];
-const LARGE_POWERS: [i32; 10] = [7, 10, 17, 31, 64, 100, 300, 1000, -17, -1000];
+const LARGE_POWERS: [i32; 11] = [7, 8, 10, 16, 17, 31, 64, 100, 1000, -17, -100];
 
 /// What an expression may use.
 struct Scope {
@@ -240,7 +240,7 @@ fn expression(random: &mut Random, scope: &Scope, depth: usize) -> Node {
         2 => quotient(part(random), part(random)),
         3 => Node::new(Kind::Negative, vec![part(random)]),
         4 => {
-            let exponent = if random.percent(12) {
+            let exponent = if random.percent(6) {
                 random.one_of(&LARGE_POWERS)
             } else {
                 random.below(8) as i32 - 3

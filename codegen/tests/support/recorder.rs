@@ -320,6 +320,7 @@ impl Recorder {
             (["f64", "from_bits"], [Value::Whole(bits)]) => {
                 Value::Number(tape.push(Step::Bits(u64::try_from(*bits).unwrap())))
             }
+            (["f64", "from"], [x]) => x.clone(),
             (["lanes", name], [x]) => Value::Number(tape.unary(function(name), x.as_number())),
             ([name], _) => self.call(name, &arguments, tape),
             ([name, partial], _) => self.partial(name, partial, &arguments, tape),
