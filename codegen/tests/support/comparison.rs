@@ -10,6 +10,8 @@ use super::tape::{Arithmetic, Place};
 pub const FACTOR: f64 = 64.0;
 /// What is allowed beside that, in units in the last place.
 const LAST_PLACES: f64 = 4.0;
+/// Derivatives whose relative error is beyond this are not looked at: they say little.
+const COARSE: f64 = 1e-3;
 
 /// What is wrong with a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -87,7 +89,9 @@ struct Point<'s> {
     subject: &'s Subject,
     kind: Kind,
     inputs: Inputs,
-    written: Vec<Interval>,
+    written: Vec<Interval<false>>,
+    /// The same with every operation taken for rounded.
+    rough: Vec<Interval<true>>,
 }
 
 /// Compares all forms at all points; `in_full` takes 77 digits for every number.
@@ -95,12 +99,12 @@ pub fn compare(subject: &Subject, points: &[(Kind, Inputs)], in_full: bool) -> R
     let mut report = Report::default();
     let all: Vec<Place> = (0..subject.tape.steps.len()).collect();
     for (kind, inputs) in points {
-        let exact = inputs.map(Interval::exactly);
         let point = Point {
             subject,
             kind: *kind,
             inputs: *inputs,
-            written: subject.tape.evaluate(&all, &exact),
+            written: subject.tape.evaluate(&all, &inputs.map(Interval::exactly)),
+            rough: subject.tape.evaluate(&all, &inputs.map(Interval::exactly)),
         };
         for generation in &subject.generations {
             point.compare(generation, in_full, &mut report);
@@ -153,8 +157,20 @@ impl Point<'_> {
     fn is_certain(&self, number: &Number) -> bool {
         number.of.iter().all(|place| {
             let written = self.written[*place];
-            written.is_bounded() && written.value.is_finite() && written.error().is_finite()
+            let (value, error) = (written.value, self.error(*place));
+            let good = number.is_value() || error <= COARSE * value.abs() || value == 0.0;
+            written.is_bounded() && value.is_finite() && error.is_finite() && good
         })
+    }
+
+    /// The running error bound of a number as written.
+    fn error(&self, place: Place) -> f64 {
+        let (written, rough) = (self.written[place], self.rough[place]);
+        if rough.is_bounded() {
+            written.error().max(rough.error())
+        } else {
+            written.error()
+        }
     }
 
     fn failure(&self, generation: &Generation, number: &str, wrong: Wrong, text: String) -> Failure {
@@ -181,14 +197,14 @@ impl Point<'_> {
         report: &mut Report,
     ) -> Option<(Wrong, String)> {
         let written = self.written[number.place];
-        let (value, error) = (written.value, written.error());
+        let (value, error) = (written.value, self.error(number.place));
         let allowance = LAST_PLACES * last_place(value);
         let truth = || self.truth(number.place);
         if !generated.is_finite() {
             return Some((Wrong::NotFinite, truth().to_string()));
         }
         let has_sign = value.abs() > FACTOR * error + allowance;
-        if number.is_value() && has_sign && generated * value.signum() <= 0.0 {
+        if has_sign && generated * value.signum() <= 0.0 {
             return Some((Wrong::Sign, truth().to_string()));
         }
         let apart = (generated - value).abs();

@@ -13,7 +13,8 @@ const SMALL: f64 = 1e-280;
 const COARSE: f64 = 1e-2;
 
 thread_local! {
-    static LITERALS: RefCell<HashMap<String, Interval>> = RefCell::new(HashMap::new());
+    /// The nearest `f64` to a literal, and whether it is exact.
+    static LITERALS: RefCell<HashMap<String, (f64, bool)>> = RefCell::new(HashMap::new());
 }
 
 /// What is known of the exact number.
@@ -27,16 +28,19 @@ pub enum Knowledge {
     Unknown,
 }
 
-/// A result and bounds of the exact number.
+/// A result and bounds of the exact number. An operation that is exact leaves them as they are, but where they are
+/// `ROUGH`: then they are those of a function whose every operation is rounded, as another order of the same operations is.
 #[derive(Clone, Copy, Debug)]
-pub struct Interval {
+pub struct Interval<const ROUGH: bool> {
     pub value: f64,
     pub low: f64,
     pub high: f64,
     pub knowledge: Knowledge,
+    /// Whether it is a zero whose sign is that of a difference of equals.
+    signless: bool,
 }
 
-impl Interval {
+impl<const ROUGH: bool> Interval<ROUGH> {
     pub fn exactly(value: f64) -> Self {
         Self {
             value,
@@ -47,6 +51,7 @@ impl Interval {
             } else {
                 Knowledge::Bounded
             },
+            signless: false,
         }
     }
 
@@ -56,6 +61,7 @@ impl Interval {
             low: f64::NEG_INFINITY,
             high: f64::INFINITY,
             knowledge: Knowledge::Unknown,
+            signless: false,
         }
     }
 
@@ -68,6 +74,7 @@ impl Interval {
             low: low.min(value),
             high: high.max(value),
             knowledge: Knowledge::Bounded,
+            signless: false,
         }
     }
 
@@ -105,7 +112,7 @@ impl Interval {
             value: -self.value,
             low: -self.high,
             high: -self.low,
-            knowledge: self.knowledge,
+            ..self
         }
     }
 
@@ -136,6 +143,7 @@ impl Interval {
                     Self::unknown(value)
                 };
             }
+            let exact = exact && (!ROUGH || end == 0.0 || end.is_infinite());
             low = low.min(if exact { end } else { end.next_down() });
             high = high.max(if exact { end } else { end.next_up() });
         }
@@ -146,14 +154,20 @@ impl Interval {
         let value = self.value + other.value;
         Self::inherited(value, &[self, other]).unwrap_or_else(|| {
             let ends = [(self.low, other.low), (self.high, other.high)];
-            Self::from_ends(value, [self, other], &ends, exact_sum)
+            Self {
+                signless: value == 0.0 && (self.value != 0.0 || self.signless || other.signless),
+                ..Self::from_ends(value, [self, other], &ends, exact_sum)
+            }
         })
     }
 
     fn product(self, other: Self) -> Self {
         let value = self.value * other.value;
         Self::inherited(value, &[self, other]).unwrap_or_else(|| {
-            Self::from_ends(value, [self, other], &corners(self, other), exact_product)
+            Self {
+                signless: value == 0.0 && (self.signless || other.signless),
+                ..Self::from_ends(value, [self, other], &corners(self, other), exact_product)
+            }
         })
     }
 
@@ -164,12 +178,16 @@ impl Interval {
         }
         if other.holds_zero() {
             return match (other.is_point(), self.is_point()) {
+                _ if other.signless => Self::unknown(value),
                 (true, true) => Self::exactly(value),
                 (true, false) if !self.holds_zero() => Self::exactly(value),
                 _ => Self::unknown(value),
             };
         }
-        Self::from_ends(value, [self, other], &corners(self, other), exact_quotient)
+        Self {
+            signless: value == 0.0 && self.signless,
+            ..Self::from_ends(value, [self, other], &corners(self, other), exact_quotient)
+        }
     }
 
     fn sqrt(self) -> Self {
@@ -313,7 +331,10 @@ impl Interval {
     }
 }
 
-fn raised_power(mut square: Interval, mut rest: u32) -> Interval {
+fn raised_power<const ROUGH: bool>(
+    mut square: Interval<ROUGH>,
+    mut rest: u32,
+) -> Interval<ROUGH> {
     let mut power = Interval::exactly(1.0);
     while rest > 0 {
         if rest % 2 == 1 {
@@ -327,7 +348,7 @@ fn raised_power(mut square: Interval, mut rest: u32) -> Interval {
     power
 }
 
-fn corners(x: Interval, y: Interval) -> [(f64, f64); 4] {
+fn corners<const ROUGH: bool>(x: Interval<ROUGH>, y: Interval<ROUGH>) -> [(f64, f64); 4] {
     [
         (x.low, y.low),
         (x.low, y.high),
@@ -381,17 +402,17 @@ fn exact_root(x: f64) -> (f64, bool) {
     (root, special || (x > SMALL && root.mul_add(root, -x) == 0.0))
 }
 
-impl Arithmetic for Interval {
+impl<const ROUGH: bool> Arithmetic for Interval<ROUGH> {
     fn literal(digits: &str) -> Self {
-        LITERALS.with_borrow_mut(|known| {
-            *known.entry(digits.to_owned()).or_insert_with(|| {
-                let value: f64 = digits.parse().unwrap();
-                if is_exact(digits) {
-                    return Self::exactly(value);
-                }
-                Self::between(value, value.next_down(), value.next_up())
-            })
-        })
+        let (value, exact) = LITERALS.with_borrow_mut(|known| {
+            let literal = known.entry(digits.to_owned());
+            *literal.or_insert_with(|| (digits.parse().unwrap(), is_exact(digits)))
+        });
+        if exact {
+            Self::exactly(value)
+        } else {
+            Self::between(value, value.next_down(), value.next_up())
+        }
     }
 
     fn number(value: f64) -> Self {
