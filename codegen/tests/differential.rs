@@ -34,16 +34,18 @@ use std::time::Duration;
 use support::comparison::{Failure, Report, Wrong, compare};
 use support::hostile::{Random, program};
 use support::points::{Inputs, Place, points};
-use support::program::Program;
-use support::shrink::shrunk;
-use support::subject::{Missing, Subject, Wanted};
+use support::program::{Kind, Node, Output, Program};
+use support::shrink::{cut_down, shrunk};
+use support::subject::{Code, Missing, Subject, Wanted};
 
 /// Programs of the test as it runs every day.
 const PROGRAMS: usize = 2000;
 /// One program in as many is also looked at as tokens.
 const EMITTED: usize = 10;
 /// One program in as many has every number compared with 77 digits.
-const IN_FULL: usize = 16;
+const WITH_TRUTH: usize = 16;
+/// One program in as many is also looked at in stages, but in a long run all are: they take half of the time.
+const STAGED: usize = 5;
 /// How long a program may take.
 const PATIENCE: Duration = Duration::from_secs(10);
 /// After so many programs on which the generator does not end there is no time for others.
@@ -101,23 +103,41 @@ impl Run {
     }
 }
 
-/// The program of that number, and where it is looked at.
-fn case(seed: u64, number: usize) -> (Program, Vec<(Place, Inputs)>) {
-    let mut random = Random::new(seed ^ (number as u64).wrapping_mul(0xd134_2543_de82_ef95));
-    let program = program(&mut random);
-    let points = points(&mut random, &program);
-    (program, points)
+/// A program and where it is looked at.
+struct Case {
+    number: usize,
+    program: Program,
+    points: Vec<(Place, Inputs)>,
+}
+
+impl Case {
+    /// That of this number.
+    fn new(seed: u64, number: usize) -> Self {
+        let mut random = Random::new(seed ^ (number as u64).wrapping_mul(0xd134_2543_de82_ef95));
+        let program = program(&mut random);
+        let points = points(&mut random, &program);
+        Self {
+            number,
+            program,
+            points,
+        }
+    }
 }
 
 /// What comes of a program; the message where it is refused.
-fn checked(program: &Program, points: &[(Place, Inputs)], number: usize) -> Result<Report, String> {
-    let wanted = if number.is_multiple_of(EMITTED) {
-        Wanted::All
-    } else {
-        Wanted::Circuits
+fn checked(case: &Case, in_full: bool) -> Result<Report, String> {
+    let Case {
+        program,
+        points,
+        number,
+    } = case;
+    let wanted = Wanted::Several {
+        hessian: true,
+        stages: in_full || number.is_multiple_of(STAGED),
+        emitted: number.is_multiple_of(EMITTED),
     };
     match Subject::of(&program.source(), &wanted) {
-        Ok(subject) => Ok(compare(&subject, points, number.is_multiple_of(IN_FULL))),
+        Ok(subject) => Ok(compare(&subject, points, number.is_multiple_of(WITH_TRUTH))),
         Err(Missing::Refused(message)) => Err(message),
         Err(Missing::Panicked(text)) => Ok(Report::of_failure(Wrong::Panic, points[0].1, text)),
     }
@@ -130,14 +150,14 @@ struct Worker {
 }
 
 impl Worker {
-    fn new(seed: u64) -> Self {
+    fn new(seed: u64, in_full: bool) -> Self {
         let (numbers, of_number) = channel();
         let (of_outcome, outcomes) = channel();
         std::thread::spawn(move || {
             for number in of_number {
-                let (program, points) = case(seed, number);
+                let outcome = checked(&Case::new(seed, number), in_full);
                 // It may have been left behind.
-                if of_outcome.send(checked(&program, &points, number)).is_err() {
+                if of_outcome.send(outcome).is_err() {
                     break;
                 }
             }
@@ -152,35 +172,32 @@ impl Worker {
     }
 }
 
-fn run(seed: u64, programs: usize, threads: usize) -> Run {
-    let (next, result) = (AtomicUsize::new(0), Mutex::new(Run::default()));
-    let left_behind = AtomicUsize::new(0);
+/// Checks as many programs; `in_full` leaves no form out.
+fn run(seed: u64, programs: usize, threads: usize, in_full: bool) -> Run {
+    let (next, left_behind) = (AtomicUsize::new(0), AtomicUsize::new(0));
+    let result = Mutex::new(Run::default());
+    let work = || {
+        let mut worker = Worker::new(seed, in_full);
+        loop {
+            let number = next.fetch_add(1, Ordering::Relaxed);
+            if number >= programs {
+                break;
+            }
+            let case = Case::new(seed, number);
+            let outcome = worker.checked(number).unwrap_or_else(|| {
+                worker = Worker::new(seed, in_full);
+                if left_behind.fetch_add(1, Ordering::Relaxed) + 1 >= MOST_LEFT_BEHIND {
+                    next.store(programs, Ordering::Relaxed);
+                }
+                let text = format!("nothing after {PATIENCE:?}");
+                Ok(Report::of_failure(Wrong::Time, case.points[0].1, text))
+            });
+            result.lock().unwrap().add(case.program, outcome);
+        }
+    };
     std::thread::scope(|scope| {
         for _ in 0..threads {
-            scope.spawn(|| {
-                let mut worker = Worker::new(seed);
-                loop {
-                    let number = next.fetch_add(1, Ordering::Relaxed);
-                    if number >= programs {
-                        break;
-                    }
-                    let (program, points) = case(seed, number);
-                    let begun = std::time::Instant::now();
-                    let outcome = worker.checked(number).unwrap_or_else(|| {
-                        worker = Worker::new(seed);
-                        if left_behind.fetch_add(1, Ordering::Relaxed) + 1 >= MOST_LEFT_BEHIND {
-                            next.store(programs, Ordering::Relaxed);
-                        }
-                        let text = format!("nothing after {PATIENCE:?}");
-                        Ok(Report::of_failure(Wrong::Time, points[0].1, text))
-                    });
-                    if std::env::var("FUZZ_TRACE").is_ok() {
-                        println!("TIME {} {number}", begun.elapsed().as_millis());
-                        if begun.elapsed().as_millis() > 3000 { println!("{}", program.source()); }
-                    }
-                    result.lock().unwrap().add(program, outcome);
-                }
-            });
+            scope.spawn(work);
         }
     });
     result.into_inner().unwrap()
@@ -219,7 +236,7 @@ fn generated_code_is_at_least_as_right_as_the_function_as_written() {
     let seed = from_environment("FUZZ_SEED").unwrap_or(1) as u64;
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
     let threads = if long.is_some() { cores } else { 1 };
-    let run = run(seed, long.unwrap_or(PROGRAMS), threads);
+    let run = run(seed, long.unwrap_or(PROGRAMS), threads, long.is_some());
     println!("{}", run.summary());
     let shown = from_environment("FUZZ_SHOWN").unwrap_or(5);
     let mut texts = Vec::new();
@@ -238,4 +255,87 @@ fn generated_code_is_at_least_as_right_as_the_function_as_written() {
     let (values, derivatives) = (run.report.values, run.report.derivatives);
     assert!(values > 10 * run.programs && derivatives > 20 * run.programs, "{}", run.summary());
     assert!(run.report.with_truth > run.programs, "{}", run.summary());
+}
+
+/// A subject of the body of a formula with its gradient and Hessian.
+fn subject(body: &str) -> Subject {
+    let source = format!(
+        "mod m {{ pub struct S {{ pub p: f64, pub q: f64 }} #[generate(value, gradient, hessian)] pub fn formula(x: f64, y: f64, a: [f64; 2], s: &S) -> f64 {{ {body} }} }}"
+    );
+    let wanted = Wanted::Several {
+        hessian: true,
+        stages: true,
+        emitted: true,
+    };
+    Subject::of(&source, &wanted).unwrap_or_else(|missing| panic!("{missing:?}"))
+}
+
+const SOMEWHERE: [(Place, Inputs); 1] = [(Place::Ordinary, [1.3, 0.7, 0.2, -1.1, 2.5, 0.9])];
+
+#[test]
+fn right_code_is_right_and_wrong_code_is_reported() {
+    let body = "(x * y + s.p).sqrt() + x / y";
+    let right = compare(&subject(body), &SOMEWHERE, true);
+    assert!(right.failures.is_empty(), "{:?}", right.failures);
+    assert!(right.values >= 9 && right.derivatives >= 2 * (3 + 6), "{right:?}");
+    assert!(right.with_truth >= 27 && right.largest < 8.0, "{right:?}");
+    let mut wrong = subject(body);
+    let mut changed = Vec::new();
+    for generation in &mut wrong.generations {
+        match &mut generation.code {
+            Code::Circuit(_, circuit) if circuit.outputs.len() > 2 => circuit.outputs.swap(1, 2),
+            Code::Emitted(_, places) if places.len() > 2 => places.swap(1, 2),
+            _ => continue,
+        }
+        changed.push(generation.name.clone());
+    }
+    assert_eq!(changed.len(), 4);
+    let report = compare(&wrong, &SOMEWHERE, false);
+    for name in changed {
+        let of_it = report.failures.iter().filter(|failure| failure.form == name);
+        assert_eq!(of_it.count(), 2, "{name}: {:?}", report.failures);
+    }
+}
+
+#[test]
+fn other_formulas_are_reported() {
+    // Each is that of the first by a little.
+    let right = subject("x * y - s.p");
+    for (body, wrong) in [
+        ("x * y - s.p * 1.0000000000001", Wrong::Digits),
+        ("s.p - x * y", Wrong::Sign),
+        ("(x * y - s.p) / (a[0] - 0.2)", Wrong::NotFinite),
+    ] {
+        let mut changed = subject(body);
+        changed.tape = right.tape.clone();
+        for generation in &mut changed.generations {
+            generation.numbers.truncate(1);
+            let value = right.generations[0].numbers[0].clone();
+            generation.numbers = vec![value];
+        }
+        changed.generations.retain(|generation| generation.name == "value");
+        let failures = compare(&changed, &SOMEWHERE, false).failures;
+        assert!(failures.len() == 1 && failures[0].wrong == wrong, "{body}: {failures:?}");
+    }
+}
+
+#[test]
+fn failures_are_cut_down() {
+    let name = Node::name;
+    let sum = Node::new(Kind::Sum(vec![false, true]), vec![name("y"), name("a[0]")]);
+    let root = Node::new(Kind::Method("sqrt"), vec![name("x")]);
+    let node = Node::new(Kind::Product, vec![sum, Node::new(Kind::Quotient, vec![root, name("s.p")])]);
+    let program = Program {
+        helpers: Vec::new(),
+        lets: Vec::new(),
+        results: vec![node],
+        output: Output::Number,
+        domain: Vec::new(),
+    };
+    // What fails is that there is a root in it.
+    let failure = Report::of_failure(Wrong::Digits, SOMEWHERE[0].1, String::new()).failures.remove(0);
+    let (small, _) = cut_down(&program, &failure, &|candidate, failure| {
+        candidate.source().contains("sqrt").then(|| failure.clone())
+    });
+    assert!(small.source().contains("        x.sqrt()\n"), "{}", small.source());
 }

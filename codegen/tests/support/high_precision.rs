@@ -450,3 +450,52 @@ impl std::fmt::Display for HighPrecision {
         )
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn number(value: f64) -> HighPrecision {
+        HighPrecision::exactly(value)
+    }
+
+    #[test]
+    fn every_f64_is_exact() {
+        for value in [0.0, 5e-324, -1e-310, f64::MIN_POSITIVE, 0.1, 1e300, -f64::MAX] {
+            let twice = number(value).sum(&number(value));
+            let half = twice.quotient(&number(2.0));
+            assert!(half.distance(value) <= value.abs() * 1e-70, "{value}: {half}");
+        }
+    }
+
+    #[test]
+    fn sizes_beyond_those_of_an_f64_are_known() {
+        let large = number(1e300).product(&number(1e300));
+        let one = large.quotient(&large);
+        assert!(one.is_known() && one.distance(1.0) < 1e-70, "{one}");
+        let small = number(1.0).quotient(&large.product(&large));
+        let back = small.product(&large).product(&large);
+        assert!(back.distance(1.0) < 1e-70, "{back}");
+        assert!(number(-2000.0).exp().ln().distance(-2000.0) < 1e-70);
+    }
+
+    #[test]
+    fn bounds_hold_what_cancels() {
+        let third = number(1.0).quotient(&number(3.0));
+        let sum = third.sum(&third).sum(&third).sum(&number(-1.0));
+        assert!(sum.distance(0.0) < 1e-70 && !sum.is_beyond_error(1.0), "{sum}");
+        assert!(!number(1.0).quotient(&sum).is_known());
+        let angle = number(1e22);
+        let (sine, cosine) = (angle.of_angle(Unary::Sin), angle.of_angle(Unary::Cos));
+        let one = sine.product(&sine).sum(&cosine.product(&cosine));
+        assert!(one.distance(1.0) < 1e-70 && sine.distance(-0.852_200_849_767_188_8) < 1e-15);
+    }
+
+    #[test]
+    fn literals_are_exact() {
+        let tenth = HighPrecision::literal("0.1");
+        assert!(tenth.product(&number(10.0)).distance(1.0) < 1e-70);
+        assert!(is_exact("0.25") && is_exact("9007199254740992.0") && !is_exact("0.1"));
+        assert!(!is_exact("9007199254740993.0"));
+    }
+}

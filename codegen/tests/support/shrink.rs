@@ -10,15 +10,25 @@ const TRIALS: usize = 1500;
 
 /// A program that fails in the same way, cut down, with a failure of it.
 pub fn shrunk(program: &Program, failure: &Failure) -> (Program, Failure) {
-    let (mut program, mut failure) = (program.clone(), failure.clone());
     if failure.wrong == Wrong::Time {
-        return (program, failure);
+        return (program.clone(), failure.clone());
     }
+    let (program, failure) = cut_down(program, failure, &same_failure);
+    with_round_inputs(&program, failure)
+}
+
+/// The smallest program that `fails` finds a failure in, one change after the other.
+pub fn cut_down(
+    program: &Program,
+    failure: &Failure,
+    fails: &dyn Fn(&Program, &Failure) -> Option<Failure>,
+) -> (Program, Failure) {
+    let (mut program, mut failure) = (program.clone(), failure.clone());
     let mut trials = 0;
     while trials < TRIALS {
         let smaller = candidates(&program).into_iter().find_map(|candidate| {
             trials += 1;
-            let again = (trials < TRIALS).then(|| same_failure(&candidate, &failure));
+            let again = (trials < TRIALS).then(|| fails(&candidate, &failure));
             again.flatten().map(|found| (candidate, found))
         });
         match smaller {
@@ -26,13 +36,21 @@ pub fn shrunk(program: &Program, failure: &Failure) -> (Program, Failure) {
             None => break,
         }
     }
-    with_round_inputs(&program, failure)
+    (program, failure)
 }
 
 /// The failure of a program that is like another.
 fn same_failure(program: &Program, failure: &Failure) -> Option<Failure> {
-    let form = Wanted::One(failure.form.clone());
-    let subject = match Subject::of(&program.source(), &form) {
+    let wanted = if failure.wrong == Wrong::Panic {
+        Wanted::Several {
+            hessian: true,
+            stages: true,
+            emitted: false,
+        }
+    } else {
+        Wanted::One(failure.form.clone())
+    };
+    let subject = match Subject::of(&program.source(), &wanted) {
         Ok(subject) => subject,
         Err(Missing::Panicked(text)) if failure.wrong == Wrong::Panic => {
             let failure = failure.clone();

@@ -66,9 +66,12 @@ pub enum Missing {
 /// Which forms are wanted.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Wanted {
-    /// All but the emitted tokens.
-    Circuits,
-    All,
+    /// The value and its gradient, and what is said here.
+    Several {
+        hessian: bool,
+        stages: bool,
+        emitted: bool,
+    },
     /// The one of that name.
     One(String),
 }
@@ -76,9 +79,17 @@ pub enum Wanted {
 impl Wanted {
     fn has(&self, name: &str) -> bool {
         match self {
-            Self::Circuits => !name.starts_with("emitted"),
-            Self::All => true,
             Self::One(wanted) => wanted == name,
+            Self::Several {
+                hessian,
+                stages,
+                emitted,
+            } => {
+                let excluded = (name.starts_with("emitted") && !emitted)
+                    || (name.ends_with("hessian") && !hessian)
+                    || (name.starts_with("stage") && !stages);
+                !excluded
+            }
         }
     }
 }
