@@ -15,7 +15,7 @@ mod reverse;
 use std::collections::BTreeMap;
 
 use crate::budget::Budget;
-use crate::graph::{ExprId, Function, Graph, Node, Rational, SymbolId, ratio, whole};
+use crate::graph::{ExprId, Factors, Function, Graph, Node, Rational, SymbolId, ratio, whole};
 use crate::rewrite::common::over_common_divisor;
 
 /// The first partials of a function by the given symbols, in their order: by the reverse mode, or where that is beyond its
@@ -170,7 +170,8 @@ fn tangent(
     // Nodes made meanwhile lie behind the last known one; no operand of an old node does.
     let matters = |id: ExprId| depends.get(id.index()).copied().unwrap_or(false);
     for (operand, slope, coefficient) in slopes(graph, id, matters) {
-        terms.push((graph.multiply(inner(operand), slope), coefficient));
+        let factors = std::iter::once((inner(operand), 1)).chain(slope);
+        terms.push((graph.product(factors), coefficient));
     }
     graph.sum(terms)
 }
@@ -197,8 +198,13 @@ fn tangent_of_factors(
     (graph.multiply(u, v), graph.add(slopes[0], slopes[1]))
 }
 
-/// The second partials, by rows; the matrix is symmetric by construction.
-pub fn hessian(graph: &mut Graph, gradient_of: &[ExprId], by: &[SymbolId]) -> Vec<Vec<ExprId>> {
+/// The second partials, by rows; the matrix is symmetric by construction. `gradient` derives the first partials.
+pub fn hessian(
+    graph: &mut Graph,
+    gradient_of: &[ExprId],
+    by: &[SymbolId],
+    gradient: Gradient,
+) -> Vec<Vec<ExprId>> {
     let mut rows: Vec<Vec<ExprId>> = Vec::with_capacity(by.len());
     for (position, first) in gradient_of.iter().enumerate() {
         let tail = gradient(graph, *first, by.get(position..).unwrap_or_default());
@@ -212,20 +218,22 @@ pub fn hessian(graph: &mut Graph, gradient_of: &[ExprId], by: &[SymbolId]) -> Ve
     rows
 }
 
-/// The node's derivative by each of its operands that matters: operand, derivative, rational factor.
-fn slopes(
-    graph: &mut Graph,
-    id: ExprId,
-    matters: impl Fn(ExprId) -> bool,
-) -> Vec<(ExprId, ExprId, Rational)> {
+/// A way to derive a function: [`gradient`] or [`gradient_forward`].
+pub type Gradient = fn(&mut Graph, ExprId, &[SymbolId]) -> Vec<ExprId>;
+
+/// A node's derivative by one of its operands: operand, factors, rational factor. What the derivative is multiplied with comes
+/// before its factors: (u/v)' is −((u/v)·v')/v, which stays in the range of numbers where (u/v)/v may not.
+type Slope = (ExprId, Factors, Rational);
+
+/// The node's derivative by each of its operands that matters.
+fn slopes(graph: &mut Graph, id: ExprId, matters: impl Fn(ExprId) -> bool) -> Vec<Slope> {
     match graph.node(id).clone() {
         Node::Number(_) | Node::Constant(_) | Node::Symbol(_) | Node::Integral { .. } => Vec::new(),
         Node::Sum(terms) => {
-            let one = graph.one();
-            terms
-                .into_iter()
-                .filter(|(operand, _)| matters(*operand))
-                .map(|(operand, q)| (operand, one, q))
+            let terms = terms.into_iter();
+            let wanted = terms.filter(|(operand, _)| matters(*operand));
+            wanted
+                .map(|(operand, q)| (operand, Factors::new(), q))
                 .collect()
         }
         Node::Product(factors) => {
@@ -235,14 +243,12 @@ fn slopes(
                 .filter(|(_, (operand, _))| matters(*operand));
             let wanted: Vec<_> = wanted.map(|(place, factor)| (place, *factor)).collect();
             let slope = |(place, (operand, exponent)): (usize, (ExprId, i32))| {
-                // (u/v)' is −(u/v)/v·v', which stays in the range of numbers where u/v² does not.
-                let slope = if exponent < 0 {
-                    graph.product([(id, 1), (operand, -1)])
+                let mut slope = factors.clone();
+                if exponent < 0 {
+                    slope = Factors::from_slice(&[(id, 1), (operand, -1)]);
                 } else {
-                    let mut others = factors.clone();
-                    others[place].1 -= 1;
-                    graph.product(others)
-                };
+                    slope[place].1 -= 1;
+                }
                 (operand, slope, whole(i64::from(exponent)))
             };
             wanted.into_iter().map(slope).collect()
@@ -253,13 +259,15 @@ fn slopes(
             order,
             argument,
         } => {
-            vec![(
-                argument,
-                graph.tabulated(table, order + 1, argument),
-                whole(1),
-            )]
+            let slope = graph.tabulated(table, order + 1, argument);
+            vec![(argument, alone(slope), whole(1))]
         }
     }
+}
+
+/// A slope that is one expression.
+fn alone(slope: ExprId) -> Factors {
+    Factors::from_slice(&[(slope, 1)])
 }
 
 fn slopes_of_function(
@@ -267,15 +275,15 @@ fn slopes_of_function(
     id: ExprId,
     function: Function,
     operands: &[ExprId],
-) -> Vec<(ExprId, ExprId, Rational)> {
+) -> Vec<Slope> {
     let one = graph.one();
     let u = operands.first().copied().unwrap_or(one);
-    let single = |slope: ExprId, coefficient: Rational| vec![(u, slope, coefficient)];
+    let single = |slope: ExprId, coefficient: Rational| vec![(u, alone(slope), coefficient)];
+    let over = |divisor: ExprId, coefficient: Rational| {
+        vec![(u, Factors::from_slice(&[(divisor, -1)]), coefficient)]
+    };
     match function {
-        Function::Sqrt => {
-            let inverse = graph.power(id, -1);
-            single(inverse, ratio(1, 2))
-        }
+        Function::Sqrt => over(id, ratio(1, 2)),
         Function::Sin => {
             let cos = graph.apply(Function::Cos, vec![u]);
             single(cos, whole(1))
@@ -290,12 +298,13 @@ fn slopes_of_function(
             single(slope, whole(1))
         }
         Function::Exp => single(id, whole(1)),
-        Function::Ln => {
-            let inverse = graph.power(u, -1);
-            single(inverse, whole(1))
-        }
+        Function::Ln => over(u, whole(1)),
         Function::MulAdd => match operands {
-            [a, b, c] => vec![(*a, *b, whole(1)), (*b, *a, whole(1)), (*c, one, whole(1))],
+            [a, b, c] => vec![
+                (*a, alone(*b), whole(1)),
+                (*b, alone(*a), whole(1)),
+                (*c, Factors::new(), whole(1)),
+            ],
             _ => Vec::new(),
         },
         // Steps have the slope 0.

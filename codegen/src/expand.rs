@@ -16,7 +16,7 @@ use syn::{Item, ItemMod};
 
 use crate::cost::Cost;
 use crate::diagnostics::Diagnostics;
-use crate::differentiate;
+use crate::differentiate::{self, Gradient};
 use crate::emit::columns;
 use crate::emit::namer::table_function;
 use crate::emit::scalar::{self, Form};
@@ -104,6 +104,7 @@ impl Formula {
             held: held.map(|held| merge_held(&held).rewritten()),
             written: Written {
                 graph,
+                reverse: numbers.clone(),
                 roots: numbers,
                 undoes_rounding: gathered.undoes_rounding,
             },
@@ -658,36 +659,57 @@ fn name_partials(graph: &mut Graph, outputs: &Outputs) {
 /// The formula's numbers with the partials that a form asks for, rewritten.
 pub fn derive(formula: &Formula, form: Form, by: &[SymbolId]) -> (Graph, Outputs) {
     let mut graph = formula.graph.clone();
-    let outputs = with_partials(&mut graph, &formula.roots, form, by);
+    let reverse = differentiate::gradient;
+    let outputs = with_partials(&mut graph, &formula.roots, form, by, reverse);
     let (graph, all) = rewrite::rewrite(&graph, &outputs.all());
     let outputs = outputs.with_all(&all);
     (graph, outputs)
 }
 
-/// The same numbers as the author wrote them, with the partials of the author's operations one by one.
+/// The most operations that are derived one by one in the forward mode, which takes as many for every partial.
+const MOST_FORWARD: usize = 20_000;
+
+/// The same numbers as the author wrote them, with the partials of the author's operations one by one, as dual numbers have
+/// them: in the forward mode, and in the reverse mode, which takes fewer operations.
 pub fn derive_written(formula: &Formula, form: Form, by: &[SymbolId]) -> Written {
     let mut written = formula.written.clone();
-    let outputs = with_partials(&mut written.graph, &formula.written.roots, form, by);
-    written.roots = outputs.all();
+    let (graph, roots) = (&mut written.graph, &formula.written.roots);
+    let size = graph.reachable(roots).len();
+    let partials = match form {
+        Form::Value => 0,
+        Form::Gradient => by.len(),
+        Form::Hessian => by.len() * (by.len() + 1) / 2,
+    };
+    let reverse = with_partials(graph, roots, form, by, differentiate::gradient);
+    written.roots = if size * partials <= MOST_FORWARD {
+        with_partials(graph, roots, form, by, differentiate::gradient_forward).all()
+    } else {
+        reverse.all()
+    };
+    written.reverse = reverse.all();
     written
 }
 
 /// The numbers with the partials that a form asks for.
-fn with_partials(graph: &mut Graph, roots: &[ExprId], form: Form, by: &[SymbolId]) -> Outputs {
+fn with_partials(
+    graph: &mut Graph,
+    roots: &[ExprId],
+    form: Form,
+    by: &[SymbolId],
+    gradient: Gradient,
+) -> Outputs {
     let mut outputs = Outputs {
         values: roots.to_vec(),
         by: by.to_vec(),
         ..Outputs::default()
     };
     if form >= Form::Gradient {
-        let gradients = roots
-            .iter()
-            .map(|root| differentiate::gradient(graph, *root, by));
+        let gradients = roots.iter().map(|root| gradient(graph, *root, by));
         outputs.gradients = gradients.collect();
     }
     if form == Form::Hessian {
-        for gradient in &outputs.gradients {
-            let rows = differentiate::hessian(graph, gradient, by);
+        for partials in &outputs.gradients {
+            let rows = differentiate::hessian(graph, partials, by, gradient);
             let triangle = rows
                 .iter()
                 .enumerate()

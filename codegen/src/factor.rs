@@ -129,15 +129,11 @@ pub fn minimise_with(
     written: &Written,
     held: Option<&Held>,
 ) -> Found {
-    let as_written = |fault| Found {
-        circuit: written::circuit(&written.graph, &written.roots),
-        as_written: Some(fault),
-    };
     if written.undoes_rounding {
-        return as_written(Fault::UndoesRounding);
+        return as_written(written, &Reference::of(written), Fault::UndoesRounding);
     }
     if graph.is_exceeded() {
-        return as_written(Fault::TooLong);
+        return as_written(written, &Reference::of(written), Fault::TooLong);
     }
     let (reference, merged) = both(|| Reference::of(written), || merged_forms(graph, outputs));
     let all = outputs.all();
@@ -165,7 +161,23 @@ pub fn minimise_with(
             }
         }
     }
-    as_written(fault.unwrap_or(Fault::TooLong))
+    as_written(written, &reference, fault.unwrap_or(Fault::TooLong))
+}
+
+/// The author's form, with partials in the reverse mode where that takes fewer operations and is as right.
+fn as_written(written: &Written, reference: &Reference, fault: Fault) -> Found {
+    let forward = written::circuit(&written.graph, &written.roots);
+    let reverse = written::circuit(&written.graph, &written.reverse);
+    let is_cheaper = reverse.cost().weight() < forward.cost().weight();
+    let circuit = if is_cheaper && reference.fault(&written.graph, &reverse).is_none() {
+        reverse
+    } else {
+        forward
+    };
+    Found {
+        circuit,
+        as_written: Some(fault),
+    }
 }
 
 /// The outputs with equal expressions as one, with the partials of the reverse and of the forward mode.

@@ -278,7 +278,11 @@ fn generated_code_is_at_least_as_right_as_the_function_as_written() {
     assert!(run.refusals() * 5 < run.programs, "{:?}", run.refused);
     // A test that compares nothing would pass.
     let (values, derivatives) = (run.report.values, run.report.derivatives);
-    assert!(values > 10 * run.programs && derivatives > 20 * run.programs, "{}", run.summary());
+    assert!(
+        values > 10 * run.programs && derivatives > 20 * run.programs,
+        "{}",
+        run.summary()
+    );
     assert!(run.report.with_truth > run.programs, "{}", run.summary());
 }
 
@@ -302,7 +306,10 @@ fn right_code_is_right_and_wrong_code_is_reported() {
     let body = "(x * y + s.p).sqrt() + x / y";
     let right = compare(&subject(body), &SOMEWHERE, true);
     assert!(right.failures.is_empty(), "{:?}", right.failures);
-    assert!(right.values >= 9 && right.derivatives >= 2 * (3 + 6), "{right:?}");
+    assert!(
+        right.values >= 9 && right.derivatives >= 2 * (3 + 6),
+        "{right:?}"
+    );
     assert!(right.with_truth >= 27 && right.largest < 8.0, "{right:?}");
     let mut wrong = subject(body);
     let mut changed = Vec::new();
@@ -317,7 +324,10 @@ fn right_code_is_right_and_wrong_code_is_reported() {
     assert_eq!(changed.len(), 4);
     let report = compare(&wrong, &SOMEWHERE, false);
     for name in changed {
-        let of_it = report.failures.iter().filter(|failure| failure.form == name);
+        let of_it = report
+            .failures
+            .iter()
+            .filter(|failure| failure.form == name);
         assert_eq!(of_it.count(), 2, "{name}: {:?}", report.failures);
     }
 }
@@ -338,9 +348,14 @@ fn other_formulas_are_reported() {
             let value = right.generations[0].numbers[0].clone();
             generation.numbers = vec![value];
         }
-        changed.generations.retain(|generation| generation.name == "value");
+        changed
+            .generations
+            .retain(|generation| generation.name == "value");
         let failures = compare(&changed, &SOMEWHERE, false).failures;
-        assert!(failures.len() == 1 && failures[0].wrong == wrong, "{body}: {failures:?}");
+        assert!(
+            failures.len() == 1 && failures[0].wrong == wrong,
+            "{body}: {failures:?}"
+        );
     }
 }
 
@@ -349,7 +364,10 @@ fn failures_are_cut_down() {
     let name = Node::name;
     let sum = Node::new(Kind::Sum(vec![false, true]), vec![name("y"), name("a[0]")]);
     let root = Node::new(Kind::Method("sqrt"), vec![name("x")]);
-    let node = Node::new(Kind::Product, vec![sum, Node::new(Kind::Quotient, vec![root, name("s.p")])]);
+    let node = Node::new(
+        Kind::Product,
+        vec![sum, Node::new(Kind::Quotient, vec![root, name("s.p")])],
+    );
     let program = Program {
         helpers: Vec::new(),
         lets: Vec::new(),
@@ -358,9 +376,15 @@ fn failures_are_cut_down() {
         domain: Vec::new(),
     };
     // What fails is that there is a root in it.
-    let failure = Report::of_failure(Wrong::Digits, SOMEWHERE[0].1, String::new()).failures.remove(0);
+    let failure = Report::of_failure(Wrong::Digits, SOMEWHERE[0].1, String::new())
+        .failures
+        .remove(0);
     let (small, _) = cut_down(&program, &failure, &|candidate, failure| {
         candidate.source().contains("sqrt").then(|| failure.clone())
     });
-    assert!(small.source().contains("        x.sqrt()\n"), "{}", small.source());
+    assert!(
+        small.source().contains("        x.sqrt()\n"),
+        "{}",
+        small.source()
+    );
 }

@@ -174,7 +174,8 @@ impl Sweeps<'_> {
         }
         budget.take(self.looks(graph, id)).then_some(())?;
         for (operand, slope, coefficient) in slopes(graph, id, |id| self.depends.contains(&id)) {
-            let share = graph.multiply(adjoint, slope);
+            let factors = std::iter::once((adjoint, 1)).chain(slope);
+            let share = graph.product(factors);
             budget.take(width(graph, share)).then_some(())?;
             let adjoints = sweep.adjoints.entry(operand).or_default();
             adjoints.push((share, coefficient));

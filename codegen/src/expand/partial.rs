@@ -6,7 +6,7 @@ use quote::{format_ident, quote};
 use super::Expansion;
 use super::fallback::stub_function;
 use super::text::as_written;
-use crate::differentiate;
+use crate::differentiate::{self, Gradient};
 use crate::emit::expression::Writer;
 use crate::emit::scalar;
 use crate::factor::rounding::Written;
@@ -46,10 +46,16 @@ impl Expansion {
         let ([by], [_]) = (ways.as_slice(), formula.roots.as_slice()) else {
             return stub_function(function, &quote!(#name), &quote!(f64));
         };
-        let Written { graph, roots, .. } = &mut formula.written;
-        derive_by(graph, roots, by);
+        let Written {
+            graph,
+            roots,
+            reverse,
+            ..
+        } = &mut formula.written;
+        derive_by(graph, roots, by, differentiate::gradient_forward);
+        derive_by(graph, reverse, by, differentiate::gradient);
         let (mut graph, mut roots) = (formula.graph, formula.roots);
-        derive_by(&mut graph, &mut roots, by);
+        derive_by(&mut graph, &mut roots, by, differentiate::gradient);
         let (graph, roots) = rewrite::rewrite(&graph, &roots);
         let outputs = Outputs {
             values: roots,
@@ -82,10 +88,10 @@ impl Expansion {
 }
 
 /// Puts the partials by some symbols, one after the other, in the place of numbers.
-fn derive_by(graph: &mut Graph, numbers: &mut [ExprId], by: &[SymbolId]) {
+fn derive_by(graph: &mut Graph, numbers: &mut [ExprId], by: &[SymbolId], gradient: Gradient) {
     for number in numbers {
         for symbol in by {
-            let partials = differentiate::gradient(graph, *number, &[*symbol]);
+            let partials = gradient(graph, *number, &[*symbol]);
             *number = partials.first().copied().unwrap_or(*number);
         }
     }

@@ -162,7 +162,7 @@ fn near_differences(graph: &Graph, differences: &[Difference], number: u64) -> V
     let size = if far {
         size(graph.sizes, FAR_SIZES[(number % 4) as usize])
     } else {
-        let size = [1.0, 1.0, 1.0, 1e9, 1e-9, 0.3][(number % 6) as usize];
+        let size = [1.0, 1.0, 200.0, 1e9, 1e-9, 0.3][(number % 6) as usize];
         within_sizes(graph.sizes, size)
     };
     let symbols = graph.symbols();
@@ -174,7 +174,9 @@ fn near_differences(graph: &Graph, differences: &[Difference], number: u64) -> V
             continue;
         }
         let other = difference.other.map_or(1.0, |other| values[other.index()]);
-        let near = 1.0 + random.below(4) as f64 * 2.0_f64.powi(-40);
+        // Twelve digits gone, six, or a few, so that what is left is small, and its inverse large but not very.
+        let bits = [40, 40, 20, 9][(number / 4 % 4) as usize];
+        let near = 1.0 + random.below(4) as f64 * 2.0_f64.powi(-bits);
         let symbol = graph.symbol(difference.symbol);
         values[difference.symbol.index()] = within(symbol, difference.ratio * other * near);
         if random.below(2) == 0 {

@@ -34,8 +34,10 @@ const SAME: f64 = 1.0 / (1_u128 << 96) as f64;
 pub struct Written {
     /// A graph as written.
     pub graph: Graph,
-    /// The numbers, in the order of the form.
+    /// The numbers, in the order of the form, with partials as dual numbers have them.
     pub roots: Vec<ExprId>,
+    /// The same with partials in the reverse mode, which takes fewer operations.
+    pub reverse: Vec<ExprId>,
     /// Whether the author wrote sums against rounding, so that the formula stays as it is.
     pub undoes_rounding: bool,
 }
@@ -84,7 +86,6 @@ pub struct Reference {
     points: Vec<Vec<Bounded>>,
     outputs: Vec<Vec<Bounded>>,
     groups: Vec<Vec<Measured>>,
-    undoes_rounding: bool,
 }
 
 /// The author's numbers at a point, with their errors.
@@ -118,11 +119,7 @@ fn evaluated<N: Number>(
 impl Reference {
     /// The author's form.
     pub fn of(written: &Written) -> Self {
-        let Written {
-            graph,
-            roots,
-            undoes_rounding,
-        } = written;
+        let Written { graph, roots, .. } = written;
         let order = graph.reachable(roots);
         let probes = probes::points(graph, roots);
         let outputs = on_all_cores(&probes, |probe| {
@@ -142,13 +139,7 @@ impl Reference {
             points: probes.into_iter().map(exact).collect(),
             outputs,
             groups: on_all_cores(&groups, measured),
-            undoes_rounding: *undoes_rounding,
         }
-    }
-
-    /// Whether no form but the author's is right.
-    pub fn is_alone(&self) -> bool {
-        self.undoes_rounding
     }
 
     /// What is wrong with a circuit of the same outputs; nothing where it is as right as the author's form.

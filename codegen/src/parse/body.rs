@@ -13,7 +13,7 @@ use proc_macro2::Span;
 use syn::spanned::Spanned;
 use syn::{Expr, Lit};
 
-use super::attributes::{Approximation, root};
+use super::attributes::Approximation;
 use super::literal;
 use super::module::{Function, Module, ParameterKind};
 use super::numbers;
@@ -71,7 +71,7 @@ impl<'m> Reader<'m> {
         for number in numbers::known(self.module, function) {
             let in_a_struct = number.contains('.');
             if !in_a_struct {
-                self.graph.symbol_named(&number);
+                self.symbol(&Role::Input, &number);
             }
         }
         self.assume_domain(function);
@@ -113,24 +113,25 @@ impl<'m> Reader<'m> {
 
     /// Declares the function's domains; call it before anything is built.
     fn assume_domain(&mut self, function: &Function) {
-        let own = function
-            .domain
-            .iter()
-            .map(|(symbol, domain, _)| (symbol, domain));
-        let of_module = self
-            .module
-            .domain
-            .iter()
-            .map(|(symbol, domain)| (symbol, domain));
-        for (symbol, domain) in own.chain(of_module) {
-            // What is no number of the function is reported with the module, or is another function's.
-            if function.parameter(root(symbol)).is_some()
-                && numbers::misfit(self.module, function, symbol).is_none()
-            {
-                let id = self.graph.symbol_named(symbol);
+        for (symbol, domain, _) in &function.domain {
+            // What is no number of the function is reported with the module.
+            if numbers::misfit(self.module, function, symbol).is_none() {
+                let id = self.symbol(&Role::Input, symbol);
                 self.graph.assume(id, *domain);
             }
         }
+    }
+
+    /// The symbol of that name, an input in the domain that the module says.
+    fn symbol(&mut self, role: &Role, name: &str) -> SymbolId {
+        let id = self.graph.symbol_of(role.clone(), name);
+        if *role == Role::Input {
+            let of_module = self.module.domain.iter();
+            for (_, domain) in of_module.filter(|(known, _)| known == name) {
+                self.graph.assume(id, *domain);
+            }
+        }
+        id
     }
 
     /// Notes a number that is one of a parameter as named in the source.
@@ -143,24 +144,25 @@ impl<'m> Reader<'m> {
     }
 
     fn symbolic_arguments(&mut self, function: &Function, role: &Role) -> Vec<Value> {
-        let symbol = |graph: &mut Graph, name: String| {
-            let id = graph.symbol_of(role.clone(), &name);
-            Value::Number(graph.symbol_expression(id))
+        let module = self.module;
+        let mut symbol = |name: String| {
+            let id = self.symbol(role, &name);
+            Value::Number(self.graph.symbol_expression(id))
         };
         let mut arguments = Vec::new();
         for parameter in &function.parameters {
             let name = parameter.name.to_string();
             arguments.push(match parameter.kind {
-                ParameterKind::Number => symbol(&mut self.graph, name),
+                ParameterKind::Number => symbol(name),
                 ParameterKind::Array(length) => Value::Array(
                     (0..length)
-                        .map(|i| symbol(&mut self.graph, format!("{name}[{i}]")))
+                        .map(|i| symbol(format!("{name}[{i}]")))
                         .collect(),
                 ),
                 ParameterKind::Struct => Value::Parameter {
                     path: name,
                     role: role.clone(),
-                    fields: self.module.fields_of(&parameter.ty).map(<[_]>::to_vec),
+                    fields: module.fields_of(&parameter.ty).map(<[_]>::to_vec),
                     replaced: Vec::new(),
                 },
             });

@@ -128,7 +128,9 @@ impl Point<'_> {
         let results = generation.code.run(&self.inputs);
         if results.len() != generation.numbers.len() {
             let text = format!("{} numbers", results.len());
-            report.failures.push(self.failure(generation, "all", Wrong::Count, text));
+            report
+                .failures
+                .push(self.failure(generation, "all", Wrong::Count, text));
             return;
         }
         for (number, generated) in generation.numbers.iter().zip(results) {
@@ -147,7 +149,9 @@ impl Point<'_> {
                     "generated {generated:e}, written {:e} in [{:e}, {:e}], truth {truth}",
                     written.value, written.low, written.high
                 );
-                report.failures.push(self.failure(generation, &number.name, wrong, text));
+                report
+                    .failures
+                    .push(self.failure(generation, &number.name, wrong, text));
             }
         }
     }
@@ -173,7 +177,13 @@ impl Point<'_> {
         }
     }
 
-    fn failure(&self, generation: &Generation, number: &str, wrong: Wrong, text: String) -> Failure {
+    fn failure(
+        &self,
+        generation: &Generation,
+        number: &str,
+        wrong: Wrong,
+        text: String,
+    ) -> Failure {
         Failure {
             wrong,
             form: generation.name.clone(),

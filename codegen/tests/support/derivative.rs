@@ -75,11 +75,7 @@ fn sum(tape: &mut Tape, a: Option<Place>, b: Option<Place>) -> Option<Place> {
     }
 }
 
-fn product(
-    tape: &mut Tape,
-    [x, y]: [Place; 2],
-    [dx, dy]: [Option<Place>; 2],
-) -> Option<Place> {
+fn product(tape: &mut Tape, [x, y]: [Place; 2], [dx, dy]: [Option<Place>; 2]) -> Option<Place> {
     let first = dx.map(|dx| tape.binary(Binary::Multiply, dx, y));
     let second = dy.map(|dy| tape.binary(Binary::Multiply, x, dy));
     sum(tape, first, second)

@@ -229,8 +229,8 @@ impl HighPrecision {
         if !self.is_known() || self.error.0 > -1.0 || Size::of(&self.value).0 > 29.0 {
             return Self::unknown();
         }
-        let value = CONSTANTS
-            .with_borrow_mut(|constants| self.value.exp(DIGITS, ROUNDING, constants));
+        let value =
+            CONSTANTS.with_borrow_mut(|constants| self.value.exp(DIGITS, ROUNDING, constants));
         let propagated = self.error.times(Size(Size::of(&value).0 + 1.0));
         Self::after(value, propagated)
     }
@@ -461,10 +461,21 @@ mod tests {
 
     #[test]
     fn every_f64_is_exact() {
-        for value in [0.0, 5e-324, -1e-310, f64::MIN_POSITIVE, 0.1, 1e300, -f64::MAX] {
+        for value in [
+            0.0,
+            5e-324,
+            -1e-310,
+            f64::MIN_POSITIVE,
+            0.1,
+            1e300,
+            -f64::MAX,
+        ] {
             let twice = number(value).sum(&number(value));
             let half = twice.quotient(&number(2.0));
-            assert!(half.distance(value) <= value.abs() * 1e-70, "{value}: {half}");
+            assert!(
+                half.distance(value) <= value.abs() * 1e-70,
+                "{value}: {half}"
+            );
         }
     }
 
@@ -483,7 +494,10 @@ mod tests {
     fn bounds_hold_what_cancels() {
         let third = number(1.0).quotient(&number(3.0));
         let sum = third.sum(&third).sum(&third).sum(&number(-1.0));
-        assert!(sum.distance(0.0) < 1e-70 && !sum.is_beyond_error(1.0), "{sum}");
+        assert!(
+            sum.distance(0.0) < 1e-70 && !sum.is_beyond_error(1.0),
+            "{sum}"
+        );
         assert!(!number(1.0).quotient(&sum).is_known());
         let angle = number(1e22);
         let (sine, cosine) = (angle.of_angle(Unary::Sin), angle.of_angle(Unary::Cos));

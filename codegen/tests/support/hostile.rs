@@ -256,7 +256,12 @@ fn expression(random: &mut Random, scope: &Scope, depth: usize) -> Node {
         8 => call(random, scope, depth),
         9 => {
             let bound = part(random);
-            let names = scope.names.iter().cloned().chain(["b".to_owned()]).collect();
+            let names = scope
+                .names
+                .iter()
+                .cloned()
+                .chain(["b".to_owned()])
+                .collect();
             let inner = Scope {
                 names,
                 helpers: scope.helpers.clone(),
@@ -326,11 +331,17 @@ fn disguised(random: &mut Random, part: impl Fn(&mut Random) -> Node) -> Node {
             sum(false, square(&sine), square(&cosine))
         }
         13 => method("max", vec![method("min", vec![a, b]), c]),
-        14 => method("min", vec![method("abs", vec![a]), method("max", vec![b, c])]),
+        14 => method(
+            "min",
+            vec![method("abs", vec![a]), method("max", vec![b, c])],
+        ),
         15 => quotient(a.clone(), sum(false, a, b)),
         16 => method("sqrt", vec![sum(false, square(&a), square(&b))]),
         17 => sum(true, product(a.clone(), b.clone()), product(b, a)),
         18 => quotient(sum(true, square(&a), square(&b)), sum(true, a, b)),
-        _ => product(method("sqrt", vec![a.clone()]), method("sqrt", vec![quotient(b, a)])),
+        _ => product(
+            method("sqrt", vec![a.clone()]),
+            method("sqrt", vec![quotient(b, a)]),
+        ),
     }
 }

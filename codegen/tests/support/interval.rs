@@ -122,7 +122,11 @@ impl<const ROUGH: bool> Interval<ROUGH> {
             return Self { value, ..self };
         }
         let (low, high) = (self.low.abs(), self.high.abs());
-        let least = if self.holds_zero() { 0.0 } else { low.min(high) };
+        let least = if self.holds_zero() {
+            0.0
+        } else {
+            low.min(high)
+        };
         Self::between(value, least, low.max(high))
     }
 
@@ -163,11 +167,9 @@ impl<const ROUGH: bool> Interval<ROUGH> {
 
     fn product(self, other: Self) -> Self {
         let value = self.value * other.value;
-        Self::inherited(value, &[self, other]).unwrap_or_else(|| {
-            Self {
-                signless: value == 0.0 && (self.signless || other.signless),
-                ..Self::from_ends(value, [self, other], &corners(self, other), exact_product)
-            }
+        Self::inherited(value, &[self, other]).unwrap_or_else(|| Self {
+            signless: value == 0.0 && (self.signless || other.signless),
+            ..Self::from_ends(value, [self, other], &corners(self, other), exact_product)
         })
     }
 
@@ -331,10 +333,7 @@ impl<const ROUGH: bool> Interval<ROUGH> {
     }
 }
 
-fn raised_power<const ROUGH: bool>(
-    mut square: Interval<ROUGH>,
-    mut rest: u32,
-) -> Interval<ROUGH> {
+fn raised_power<const ROUGH: bool>(mut square: Interval<ROUGH>, mut rest: u32) -> Interval<ROUGH> {
     let mut power = Interval::exactly(1.0);
     while rest > 0 {
         if rest % 2 == 1 {
@@ -399,7 +398,10 @@ fn exact_quotient(a: f64, b: f64) -> (f64, bool) {
 fn exact_root(x: f64) -> (f64, bool) {
     let root = x.sqrt();
     let special = x == 0.0 || x.is_infinite();
-    (root, special || (x > SMALL && root.mul_add(root, -x) == 0.0))
+    (
+        root,
+        special || (x > SMALL && root.mul_add(root, -x) == 0.0),
+    )
 }
 
 impl<const ROUGH: bool> Arithmetic for Interval<ROUGH> {

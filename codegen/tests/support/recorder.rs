@@ -86,9 +86,7 @@ impl Recorder {
         let arguments: Vec<Value> = parameters(function)
             .into_iter()
             .map(|(_, ty)| {
-                self.argument(ty, &mut || {
-                    tape.push(Step::Input(inputs.next().unwrap()))
-                })
+                self.argument(ty, &mut || tape.push(Step::Input(inputs.next().unwrap())))
             })
             .collect();
         self.call(name, &arguments, tape).flatten()
@@ -232,9 +230,7 @@ impl Recorder {
             Expr::If(choice) => self.choice(choice, scope, tape),
             Expr::MethodCall(call) => self.method(call, scope, tape),
             Expr::Call(call) => self.function_call(call, scope, tape),
-            Expr::Field(field) => {
-                member(self.expression(&field.base, scope, tape), &field.member)
-            }
+            Expr::Field(field) => member(self.expression(&field.base, scope, tape), &field.member),
             Expr::Index(index) => {
                 let base = self.expression(&index.expr, scope, tape);
                 match (base, self.expression(&index.index, scope, tape)) {

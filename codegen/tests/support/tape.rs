@@ -74,7 +74,10 @@ pub enum Step {
     Select(Comparison, [Place; 4]),
     /// The third where the smaller (or the larger) of the first two is the first, else the fourth: the derivative of the
     /// smaller and the larger of two. Of equals the smaller is the first, the larger the second; a NaN is neither.
-    Chosen { larger: bool, of: [Place; 4] },
+    Chosen {
+        larger: bool,
+        of: [Place; 4],
+    },
 }
 
 /// A kind of number.

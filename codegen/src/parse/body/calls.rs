@@ -243,9 +243,10 @@ impl<'m> Reader<'m> {
         };
         let mut derivative = value;
         for symbol in self.derived_by(function, partial, &role, span)? {
-            derivative = crate::differentiate::gradient(&mut self.graph, derivative, &[symbol])
-                .first()
-                .copied()?;
+            derivative =
+                crate::differentiate::gradient_forward(&mut self.graph, derivative, &[symbol])
+                    .first()
+                    .copied()?;
         }
         let names = function.parameters.iter();
         let names = names.map(|parameter| parameter.name.to_string());

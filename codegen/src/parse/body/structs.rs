@@ -23,7 +23,7 @@ impl<'m> Reader<'m> {
                 if let Some((_, value)) = replaced.into_iter().find(|(name, _)| *name == member) {
                     Some(value)
                 } else if fields.is_none_or(|fields| fields.contains(&member)) {
-                    let id = self.graph.symbol_of(role, &format!("{path}.{member}"));
+                    let id = self.symbol(&role, &format!("{path}.{member}"));
                     Some(Value::Number(self.graph.symbol_expression(id)))
                 } else {
                     let known = fields.unwrap_or_default().iter().map(String::as_str);
