@@ -19,9 +19,11 @@ mod support {
     pub mod hostile;
     pub mod interval;
     pub mod points;
+    mod precision_tests;
     pub mod program;
     pub mod recorder;
     pub mod shrink;
+    pub mod size;
     pub mod subject;
     pub mod tape;
 }

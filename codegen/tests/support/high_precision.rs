@@ -5,88 +5,18 @@ use std::collections::HashMap;
 
 use astro_float::{BigFloat, Consts, Radix, RoundingMode, Sign};
 
+use super::size::{LARGEST, Size};
 use super::tape::{Arithmetic, Binary, Comparison, Unary};
 
 /// Binary digits.
 const DIGITS: usize = 256;
 const ROUNDING: RoundingMode = RoundingMode::ToEven;
-/// Beyond this exponent of two nothing is said about a number, and a sine of it is not taken.
-const LARGEST: f64 = 1e9;
+/// Beyond this exponent of two no sine is taken of a number.
 const LARGEST_ANGLE: f64 = 2000.0;
 
 thread_local! {
     static CONSTANTS: RefCell<Consts> = RefCell::new(Consts::new().expect("the cache of constants"));
     static LITERALS: RefCell<HashMap<String, HighPrecision>> = RefCell::new(HashMap::new());
-}
-
-/// An upper bound of a size by its logarithm to base 2, so that it may be far beyond any `f64`; −∞ is 0.
-#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
-pub struct Size(f64);
-
-impl Size {
-    const ZERO: Self = Self(f64::NEG_INFINITY);
-    const UNKNOWN: Self = Self(f64::INFINITY);
-
-    fn of(value: &BigFloat) -> Self {
-        match value.exponent() {
-            _ if value.is_zero() => Self::ZERO,
-            Some(exponent) => Self(f64::from(exponent)),
-            None => Self::UNKNOWN,
-        }
-    }
-
-    /// A lower bound in the place of an upper one.
-    fn at_least(value: &BigFloat) -> Self {
-        Self(Self::of(value).0 - 1.0)
-    }
-
-    /// What is lost to logarithms that are rounded.
-    fn rounded_up(self) -> Self {
-        Self(self.0 + self.0.abs() * 1e-14 + 1e-9)
-    }
-
-    fn plus(self, other: Self) -> Self {
-        let (small, large) = if self.0 < other.0 {
-            (self.0, other.0)
-        } else {
-            (other.0, self.0)
-        };
-        if small == f64::NEG_INFINITY || large == f64::INFINITY {
-            return Self(large);
-        }
-        Self(large + (small - large).exp2().ln_1p() * std::f64::consts::LOG2_E).rounded_up()
-    }
-
-    fn times(self, other: Self) -> Self {
-        if self == Self::ZERO || other == Self::ZERO {
-            return Self::ZERO;
-        }
-        Self(self.0 + other.0).rounded_up()
-    }
-
-    fn over(self, other: Self) -> Self {
-        if self == Self::ZERO {
-            return self;
-        }
-        Self(self.0 - other.0).rounded_up()
-    }
-
-    fn is_known(self) -> bool {
-        self.0 < LARGEST
-    }
-
-    fn larger(self, other: Self) -> Self {
-        if self.0 < other.0 { other } else { self }
-    }
-
-    fn as_number(self) -> BigFloat {
-        let mut number = big(1.0);
-        if self == Self::ZERO {
-            return big(0.0);
-        }
-        number.set_exponent(self.0.ceil() as i32 + 1);
-        number
-    }
 }
 
 /// A number and how far it may be from the exact one.
@@ -448,68 +378,5 @@ impl std::fmt::Display for HighPrecision {
             digits(&text.1, 4),
             exponent(&text.1)
         )
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn number(value: f64) -> HighPrecision {
-        HighPrecision::exactly(value)
-    }
-
-    #[test]
-    fn every_f64_is_exact() {
-        for value in [
-            0.0,
-            5e-324,
-            -1e-310,
-            f64::MIN_POSITIVE,
-            0.1,
-            1e300,
-            -f64::MAX,
-        ] {
-            let twice = number(value).sum(&number(value));
-            let half = twice.quotient(&number(2.0));
-            assert!(
-                half.distance(value) <= value.abs() * 1e-70,
-                "{value}: {half}"
-            );
-        }
-    }
-
-    #[test]
-    fn sizes_beyond_those_of_an_f64_are_known() {
-        let large = number(1e300).product(&number(1e300));
-        let one = large.quotient(&large);
-        assert!(one.is_known() && one.distance(1.0) < 1e-70, "{one}");
-        let small = number(1.0).quotient(&large.product(&large));
-        let back = small.product(&large).product(&large);
-        assert!(back.distance(1.0) < 1e-70, "{back}");
-        assert!(number(-2000.0).exp().ln().distance(-2000.0) < 1e-70);
-    }
-
-    #[test]
-    fn bounds_hold_what_cancels() {
-        let third = number(1.0).quotient(&number(3.0));
-        let sum = third.sum(&third).sum(&third).sum(&number(-1.0));
-        assert!(
-            sum.distance(0.0) < 1e-70 && !sum.is_beyond_error(1.0),
-            "{sum}"
-        );
-        assert!(!number(1.0).quotient(&sum).is_known());
-        let angle = number(1e22);
-        let (sine, cosine) = (angle.of_angle(Unary::Sin), angle.of_angle(Unary::Cos));
-        let one = sine.product(&sine).sum(&cosine.product(&cosine));
-        assert!(one.distance(1.0) < 1e-70 && sine.distance(-0.852_200_849_767_188_8) < 1e-15);
-    }
-
-    #[test]
-    fn literals_are_exact() {
-        let tenth = HighPrecision::literal("0.1");
-        assert!(tenth.product(&number(10.0)).distance(1.0) < 1e-70);
-        assert!(is_exact("0.25") && is_exact("9007199254740992.0") && !is_exact("0.1"));
-        assert!(!is_exact("9007199254740993.0"));
     }
 }

@@ -55,7 +55,10 @@ const PLAIN: [&str; 12] = [
     "1.0", "2.0", "0.5", "3.0", "4.0", "0.25", "0.1", "0.3", "1.5e-1", "2f64", "7.0", "0.0",
 ];
 const NAMED: [&str; 6] = ["PI", "E", "LN_2", "SQRT_2", "FRAC_PI_2", "K"];
-const HOSTILE: [&str; 14] = [
+const HOSTILE: [&str; 17] = [
+    "2305843009213693951.0",
+    "2305843009213693952.0",
+    "2305843009213693953.0",
     "1e300",
     "1e-300",
     "5e-324",
@@ -240,7 +243,7 @@ fn expression(random: &mut Random, scope: &Scope, depth: usize) -> Node {
         2 => quotient(part(random), part(random)),
         3 => Node::new(Kind::Negative, vec![part(random)]),
         4 => {
-            let exponent = if random.percent(6) && std::env::var("FUZZ_TAME").is_err() {
+            let exponent = if random.percent(6) {
                 random.one_of(&LARGE_POWERS)
             } else {
                 random.below(8) as i32 - 3
@@ -301,7 +304,7 @@ fn disguised(random: &mut Random, part: impl Fn(&mut Random) -> Node) -> Node {
     let one = || Node::literal("1.0");
     let twice = |a: Node, b: Node| product(product(Node::literal("2.0"), a), b);
     let square = |a: &Node| power(a.clone(), 2);
-    match random.below(20) {
+    match random.below(23) {
         0 => {
             let parts = vec![
                 square(&sum(false, a.clone(), b.clone())),
@@ -338,6 +341,14 @@ fn disguised(random: &mut Random, part: impl Fn(&mut Random) -> Node) -> Node {
         15 => quotient(a.clone(), sum(false, a, b)),
         16 => method("sqrt", vec![sum(false, square(&a), square(&b))]),
         17 => sum(true, product(a.clone(), b.clone()), product(b, a)),
+        // In a prime field of 2^61 - 1 these are 0, a, and a over 0.
+        19 => sum(
+            true,
+            product(a.clone(), Node::literal("2305843009213693952.0")),
+            a,
+        ),
+        20 => sum(false, a, product(Node::literal("2305843009213693951.0"), b)),
+        21 => quotient(a, sum(false, b, Node::literal("2305843009213693951.0"))),
         18 => quotient(sum(true, square(&a), square(&b)), sum(true, a, b)),
         _ => product(
             method("sqrt", vec![a.clone()]),

@@ -1,21 +1,13 @@
 //! An `f64` as Rust computes it, and bounds of the number that it stands for: a running error bound that knows the ends of
 //! the range, so that overflow and underflow are in it.
 
-use std::cell::RefCell;
-use std::collections::HashMap;
+mod arithmetic;
+mod exact;
 
-use super::high_precision::is_exact;
-use super::tape::{Arithmetic, Binary, Comparison, Unary, constant_value, is_first};
+use exact::{exact_product, exact_quotient, exact_root, exact_sum, lowered, raised};
 
-/// Below this size the rounding error of a product may itself be rounded.
-const SMALL: f64 = 1e-280;
 /// The largest change of a tangent that is still of first order.
 const COARSE: f64 = 1e-2;
-
-thread_local! {
-    /// The nearest `f64` to a literal, and whether it is exact.
-    static LITERALS: RefCell<HashMap<String, (f64, bool)>> = RefCell::new(HashMap::new());
-}
 
 /// What is known of the exact number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -303,11 +295,12 @@ impl<const ROUGH: bool> Interval<ROUGH> {
 
     fn whole_power(self, exponent: i32) -> Self {
         let value = self.value.powi(exponent);
+        if exponent == 0 {
+            // Also of NaN.
+            return Self::exactly(1.0);
+        }
         if let Some(result) = Self::inherited(value, &[self]) {
             return result;
-        }
-        if exponent == 0 {
-            return Self::exactly(1.0);
         }
         let of_size = |x: f64| raised_power(Self::exactly(x.abs()), exponent.unsigned_abs());
         let power = if exponent % 2 == 0 {
@@ -354,133 +347,4 @@ fn corners<const ROUGH: bool>(x: Interval<ROUGH>, y: Interval<ROUGH>) -> [(f64, 
         (x.high, y.low),
         (x.high, y.high),
     ]
-}
-
-/// Below a result that is off by one unit in the last place.
-fn lowered(value: f64) -> f64 {
-    value.next_down().next_down()
-}
-
-/// Above a result that is off by one unit in the last place.
-fn raised(value: f64) -> f64 {
-    value.next_up().next_up()
-}
-
-/// A sum and whether it is exact.
-fn exact_sum(a: f64, b: f64) -> (f64, bool) {
-    let sum = a + b;
-    if a.is_infinite() || b.is_infinite() {
-        return (sum, true);
-    }
-    let part = sum - a;
-    let rest = (a - (sum - part)) + (b - part);
-    (sum, rest == 0.0)
-}
-
-/// A product and whether it is exact.
-fn exact_product(a: f64, b: f64) -> (f64, bool) {
-    let product = a * b;
-    let special = a.is_infinite() || b.is_infinite() || a == 0.0 || b == 0.0;
-    let rest = a.mul_add(b, -product);
-    (product, special || (product.abs() > SMALL && rest == 0.0))
-}
-
-/// A quotient and whether it is exact.
-fn exact_quotient(a: f64, b: f64) -> (f64, bool) {
-    let quotient = a / b;
-    let special = a.is_infinite() || b.is_infinite() || a == 0.0;
-    let rest = quotient.mul_add(-b, a);
-    let large = quotient.abs() > SMALL && a.abs() > SMALL;
-    (quotient, special || (large && rest == 0.0))
-}
-
-/// A root and whether it is exact.
-fn exact_root(x: f64) -> (f64, bool) {
-    let root = x.sqrt();
-    let special = x == 0.0 || x.is_infinite();
-    (
-        root,
-        special || (x > SMALL && root.mul_add(root, -x) == 0.0),
-    )
-}
-
-impl<const ROUGH: bool> Arithmetic for Interval<ROUGH> {
-    fn literal(digits: &str) -> Self {
-        let (value, exact) = LITERALS.with_borrow_mut(|known| {
-            let literal = known.entry(digits.to_owned());
-            *literal.or_insert_with(|| (digits.parse().unwrap(), is_exact(digits)))
-        });
-        if exact {
-            Self::exactly(value)
-        } else {
-            Self::between(value, value.next_down(), value.next_up())
-        }
-    }
-
-    fn number(value: f64) -> Self {
-        Self::exactly(value)
-    }
-
-    fn constant(name: &str) -> Self {
-        let value = constant_value(name);
-        Self::between(value, value.next_down(), value.next_up())
-    }
-
-    fn unary(function: Unary, x: &Self) -> Self {
-        match function {
-            Unary::Negative => x.negative(),
-            Unary::Sqrt => x.sqrt(),
-            Unary::Sin => x.wave(x.value.sin()),
-            Unary::Cos => x.wave(x.value.cos()),
-            Unary::Tan => x.tan(),
-            Unary::Exp => x.exp(),
-            Unary::Ln => x.ln(),
-            Unary::Abs => x.size(),
-            Unary::Signum => x.signum(),
-            Unary::Recip => Self::exactly(1.0).quotient(*x),
-        }
-    }
-
-    fn binary(operation: Binary, x: &Self, y: &Self) -> Self {
-        match operation {
-            Binary::Add => x.sum(*y),
-            Binary::Subtract => x.sum(y.negative()),
-            Binary::Multiply => x.product(*y),
-            Binary::Divide => x.quotient(*y),
-            Binary::Min => Self::extreme(false, *x, *y),
-            Binary::Max => Self::extreme(true, *x, *y),
-        }
-    }
-
-    fn power(x: &Self, exponent: i32) -> Self {
-        x.whole_power(exponent)
-    }
-
-    fn mul_add(x: &Self, y: &Self, z: &Self) -> Self {
-        let value = x.value.mul_add(y.value, z.value);
-        let bounds = x.product(*y).sum(*z);
-        if !bounds.is_bounded() {
-            return Self { value, ..bounds };
-        }
-        Self::between(value, bounds.low, bounds.high)
-    }
-
-    fn select(_: Comparison, _: [&Self; 4]) -> Self {
-        panic!("only generated code has branches")
-    }
-
-    fn chosen(larger: bool, [u, v, x, y]: [&Self; 4]) -> Self {
-        let (first, value) = if is_first(larger, u.value, v.value) {
-            (x, x.value)
-        } else {
-            (y, y.value)
-        };
-        match (u.knowledge, v.knowledge) {
-            (Knowledge::NoNumber, _) => *y,
-            (_, Knowledge::NoNumber) => *x,
-            (Knowledge::Bounded, Knowledge::Bounded) if u.high < v.low || v.high < u.low => *first,
-            (Knowledge::Bounded, Knowledge::Bounded) => x.hull(*y, value),
-            _ => Self::unknown(value),
-        }
-    }
 }

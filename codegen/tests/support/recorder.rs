@@ -1,8 +1,12 @@
 //! Puts functions as they stand in Rust source on a tape: formulas as written, and the code generated from them.
 
+mod names;
+
 use std::collections::BTreeMap;
 
 use syn::{BinOp, Expr, Item, ItemFn, Lit, Member, Pat, Stmt, Type, UnOp};
+
+use names::{function, operation};
 
 use super::derivative::derivative;
 use super::tape::{Binary, Comparison, Place, Step, Tape, Unary};
@@ -151,7 +155,7 @@ impl Recorder {
             output = slope.unwrap_or(zero);
         }
         let arguments: Vec<Place> = arguments.iter().flat_map(Value::flatten).collect();
-        Value::Number(replay(&alone, output, &arguments, tape))
+        Value::Number(tape.replay(&alone, output, &arguments))
     }
 
     /// The numbers of a function's parameters as partials name them.
@@ -338,36 +342,6 @@ impl Recorder {
     }
 }
 
-/// The result of another tape over these numbers.
-fn replay(other: &Tape, output: Place, arguments: &[Place], tape: &mut Tape) -> Place {
-    let needed = other.needed(&[output]);
-    let mut images: Vec<Place> = Vec::new();
-    for (step, needed) in other.steps.iter().zip(needed) {
-        let image = |place: &Place| images[*place];
-        let step = match step {
-            _ if !needed => None,
-            Step::Input(input) => {
-                images.push(arguments[*input]);
-                continue;
-            }
-            Step::Unary(function, x) => Some(Step::Unary(*function, image(x))),
-            Step::Binary(operation, x, y) => Some(Step::Binary(*operation, image(x), image(y))),
-            Step::Power(x, exponent) => Some(Step::Power(image(x), *exponent)),
-            Step::MulAdd(x, y, z) => Some(Step::MulAdd(image(x), image(y), image(z))),
-            Step::Select(comparison, of) => {
-                Some(Step::Select(*comparison, of.map(|place| image(&place))))
-            }
-            Step::Chosen { larger, of } => Some(Step::Chosen {
-                larger: *larger,
-                of: of.map(|place| image(&place)),
-            }),
-            number => Some(number.clone()),
-        };
-        images.push(step.map_or(usize::MAX, |step| tape.push(step)));
-    }
-    images[output]
-}
-
 fn parameters(function: &ItemFn) -> Vec<(&Pat, &Type)> {
     let inputs = function.sig.inputs.iter();
     inputs
@@ -386,31 +360,6 @@ fn member(base: Value, member: &Member) -> Value {
         }
         (Value::List(values), Member::Unnamed(index)) => values[index.index as usize].clone(),
         (base, member) => panic!("{member:?} of {base:?}"),
-    }
-}
-
-fn operation(operator: &BinOp) -> Binary {
-    match operator {
-        BinOp::Add(_) => Binary::Add,
-        BinOp::Sub(_) => Binary::Subtract,
-        BinOp::Mul(_) => Binary::Multiply,
-        BinOp::Div(_) => Binary::Divide,
-        other => panic!("operator {other:?}"),
-    }
-}
-
-fn function(name: &str) -> Unary {
-    match name {
-        "sqrt" => Unary::Sqrt,
-        "sin" => Unary::Sin,
-        "cos" => Unary::Cos,
-        "tan" => Unary::Tan,
-        "exp" => Unary::Exp,
-        "ln" => Unary::Ln,
-        "abs" => Unary::Abs,
-        "signum" => Unary::Signum,
-        "recip" => Unary::Recip,
-        other => panic!("function {other}"),
     }
 }
 

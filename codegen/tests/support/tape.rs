@@ -151,6 +151,36 @@ impl Tape {
         needed
     }
 
+    /// The result of another tape over these numbers.
+    pub fn replay(&mut self, other: &Self, output: Place, arguments: &[Place]) -> Place {
+        let needed = other.needed(&[output]);
+        let mut images: Vec<Place> = Vec::new();
+        for (step, needed) in other.steps.iter().zip(needed) {
+            let image = |place: &Place| images[*place];
+            let step = match step {
+                _ if !needed => None,
+                Step::Input(input) => {
+                    images.push(arguments[*input]);
+                    continue;
+                }
+                Step::Unary(function, x) => Some(Step::Unary(*function, image(x))),
+                Step::Binary(operation, x, y) => Some(Step::Binary(*operation, image(x), image(y))),
+                Step::Power(x, exponent) => Some(Step::Power(image(x), *exponent)),
+                Step::MulAdd(x, y, z) => Some(Step::MulAdd(image(x), image(y), image(z))),
+                Step::Select(comparison, of) => {
+                    Some(Step::Select(*comparison, of.map(|place| image(&place))))
+                }
+                Step::Chosen { larger, of } => Some(Step::Chosen {
+                    larger: *larger,
+                    of: of.map(|place| image(&place)),
+                }),
+                number => Some(number.clone()),
+            };
+            images.push(step.map_or(usize::MAX, |step| self.push(step)));
+        }
+        images[output]
+    }
+
     /// The outputs for these inputs.
     pub fn evaluate<N: Arithmetic>(&self, outputs: &[Place], inputs: &[N]) -> Vec<N> {
         let needed = self.needed(outputs);
