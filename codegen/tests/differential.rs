@@ -317,7 +317,7 @@ fn right_code_is_right_and_wrong_code_is_reported() {
     let mut changed = Vec::new();
     for generation in &mut wrong.generations {
         match &mut generation.code {
-            Code::Circuit(_, circuit) if circuit.outputs.len() > 2 => circuit.outputs.swap(1, 2),
+            Code::Circuit(both) if both.1.outputs.len() > 2 => both.1.outputs.swap(1, 2),
             Code::Emitted(_, places) if places.len() > 2 => places.swap(1, 2),
             _ => continue,
         }

@@ -35,7 +35,7 @@ impl Number {
 
 /// What is generated.
 pub enum Code {
-    Circuit(Graph, Circuit),
+    Circuit(Box<(Graph, Circuit)>),
     Staged(Box<Staged>),
     /// Tokens, read again.
     Emitted(Tape, Vec<Place>),
@@ -164,7 +164,7 @@ impl Subject {
             self.generations.push(Generation {
                 numbers,
                 name,
-                code: Code::Circuit(generated.graph, generated.circuit),
+                code: Code::Circuit(Box::new((generated.graph, generated.circuit))),
             });
         }
     }
@@ -277,7 +277,8 @@ impl Code {
     /// Its results in `f64`.
     pub fn run(&self, inputs: &Inputs) -> Vec<f64> {
         match self {
-            Self::Circuit(graph, circuit) => {
+            Self::Circuit(both) => {
+                let (graph, circuit) = both.as_ref();
                 evaluate_circuit(graph, circuit, &symbols(graph, inputs))
             }
             Self::Staged(staged) => in_stages(staged, inputs),
