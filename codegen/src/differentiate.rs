@@ -166,6 +166,12 @@ fn tangent(
         let factors = factors.clone();
         return tangent_of_factors(graph, &factors, inner).1;
     }
+    if graph.is_as_written()
+        && let Node::Product(factors) = graph.node(id)
+        && let [(above, 1), (below, -1)] = **factors
+    {
+        return tangent_of_quotient(graph, id, [above, below], inner);
+    }
     let mut terms = Vec::new();
     // Nodes made meanwhile lie behind the last known one; no operand of an old node does.
     let matters = |id: ExprId| depends.get(id.index()).copied().unwrap_or(false);
@@ -174,6 +180,18 @@ fn tangent(
         terms.push((graph.product(factors), coefficient));
     }
     graph.sum(terms)
+}
+
+/// The derivative of u/v as dual numbers have it: (u' − (u/v)·v')/v, which is 0 where the author divides equals.
+fn tangent_of_quotient(
+    graph: &mut Graph,
+    quotient: ExprId,
+    [above, below]: [ExprId; 2],
+    inner: &impl Fn(ExprId) -> ExprId,
+) -> ExprId {
+    let of_below = graph.multiply(quotient, inner(below));
+    let difference = graph.subtract(inner(above), of_below);
+    graph.divide(difference, below)
 }
 
 /// Products of more factors than this are derived by halves; with fewer, a product of the others for each factor is as short.

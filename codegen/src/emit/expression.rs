@@ -377,7 +377,8 @@ impl<'a> Writer<'a> {
         if size.is_one() {
             return piece;
         }
-        let (size, operand) = (literal::number(size), piece.at_least(Precedence::Product));
+        // A product or quotient stays together, as it was looked at: 2·(x/y) may be a number where (2·x)/y is none.
+        let (size, operand) = (literal::number(size), piece.at_least(Precedence::Negative));
         Piece {
             tokens: quote!(#size * #operand),
             precedence: Precedence::Product,

@@ -119,7 +119,8 @@ fn smooth(function: Function, x: f64) -> (f64, f64) {
 impl Number for Bounded {
     fn rational(value: &Rational) -> Self {
         let nearest = value.to_f64().unwrap_or(f64::NAN);
-        if value.is_integer() && nearest.abs() < 1e15 {
+        let is_small = value.is_integer() && nearest.abs() < 1e15;
+        if is_small || Rational::of_f64(nearest).is_some_and(|nearest| nearest == *value) {
             return Self::exact(nearest);
         }
         let mut rounded = Self::after(nearest, 0.0, &[]);

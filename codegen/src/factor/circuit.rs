@@ -264,10 +264,12 @@ impl Circuit {
     /// A sum of two terms as it stands.
     pub fn sum_of_two(&mut self, first: (Net, Rational), second: (Net, Rational)) -> Net {
         let mut terms: Terms = smallvec![first, second];
-        // The same operand twice is one with the sum of both coefficients, which is as exact.
-        rational::collect(&mut terms);
+        // The same operand twice is one with the sum of both coefficients, which is as exact; but x − x is not 0 where x is
+        // infinite.
+        if terms[0].0 != terms[1].0 || terms[0].1 != -&terms[1].1 {
+            rational::collect(&mut terms);
+        }
         match terms.as_slice() {
-            [] => self.number(Rational::ZERO),
             [(operand, coefficient)] => self.multiple((*operand, coefficient.clone())),
             _ => self.push(Operation::Sum(terms)),
         }

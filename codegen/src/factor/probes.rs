@@ -9,13 +9,16 @@ const ORDINARY: u64 = 96;
 const FAR: u64 = 32;
 
 /// And how many have numbers of which each is far from 1 in its own way.
-const MIXED: u64 = 48;
+const MIXED: u64 = 64;
 
 /// The sizes of numbers at points far from 1, as powers of the largest that there is.
 const FAR_SIZES: [f64; 4] = [0.55, -0.55, 1.0 / 3.0, -1.0 / 3.0];
 
 /// The sizes at mixed points, where 1 stands for a number of everyday.
-const MIXED_SIZES: [f64; 8] = [0.0, 0.0, 0.55, -0.55, 0.65, -0.65, 0.97, -0.97];
+const FAR_MIXED: [f64; 8] = [0.0, 0.0, 0.55, -0.55, 0.65, -0.65, 0.97, -0.97];
+
+/// The sizes at every other of these points, where numbers are only somewhat larger or smaller than others.
+const NEAR_MIXED: [f64; 8] = [0.0, 0.0, 0.0, 0.01, -0.01, 0.03, -0.03, -0.02];
 
 /// Numbers that arithmetic has rules of their own for, and the edges of its range.
 fn special(sizes: Sizes) -> Vec<f64> {
@@ -28,6 +31,7 @@ fn special(sizes: Sizes) -> Vec<f64> {
             f64::MIN_POSITIVE,
             5e-324,
             f64::MAX,
+            1e300,
             -1e300,
             1e-300,
         ],
@@ -87,7 +91,10 @@ fn differences(graph: &Graph, roots: &[ExprId]) -> Vec<Difference> {
             let coefficient = coefficient.to_f64().unwrap_or(f64::NAN);
             match graph.node(*operand) {
                 Node::Symbol(symbol) => inputs.push((Some(*symbol), coefficient)),
-                Node::Number(value) if value.is_one() => inputs.push((None, coefficient)),
+                Node::Number(value) => {
+                    let value = value.to_f64().unwrap_or(f64::NAN);
+                    inputs.push((None, coefficient * value));
+                }
                 _ => {}
             }
         }
@@ -201,7 +208,12 @@ fn mixed(graph: &Graph, number: u64) -> Vec<f64> {
     let mut random = Random::new(1000 + number);
     let symbols = graph.symbols();
     let value = |symbol: &Symbol| {
-        let power = MIXED_SIZES[random.below(MIXED_SIZES.len() as u64) as usize];
+        let powers = if number.is_multiple_of(2) {
+            FAR_MIXED
+        } else {
+            NEAR_MIXED
+        };
+        let power = powers[random.below(powers.len() as u64) as usize];
         let size = size(graph.sizes, power);
         within(symbol, size * everyday(&mut random))
     };

@@ -106,8 +106,8 @@ impl Graph {
     fn written_sum(&mut self, terms: impl IntoIterator<Item = (ExprId, Rational)>) -> ExprId {
         let is_zero = |graph: &Self, id| graph.as_number(id).is_some_and(Rational::is_zero);
         let mut kept: Terms = terms.into_iter().collect();
-        // Derivatives add nothing from what they do not depend on; a sum that the author wrote keeps its zeros' signs.
-        kept.retain(|(operand, q)| !q.is_zero() && (q.is_one() || !is_zero(self, *operand)));
+        // Derivatives add nothing from what they do not depend on.
+        kept.retain(|(operand, q)| !q.is_zero() && !is_zero(self, *operand));
         match kept.as_slice() {
             [] => self.number(Rational::ZERO),
             [(operand, q)] if q.is_one() => *operand,

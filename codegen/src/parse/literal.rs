@@ -5,7 +5,7 @@ use num_traits::{One, Pow};
 
 use crate::graph::{ExprId, Function, Graph, NamedConstant, Rational, ratio};
 
-/// The exact value of decimal digits as `syn` gives them: `0.752`, `1e-3`, `2.0e11`. None where the exponent is beyond
+/// The exact value of decimal digits as `syn` gives them: `0.752`, `1e-3`, `2.0e11`; below 2.2e-308 that of the nearest `f64`. None where the exponent is beyond
 /// that of any `f64`.
 pub fn decimal(digits: &str) -> Option<Rational> {
     let (mantissa, exponent) = match digits.split_once(['e', 'E']) {
@@ -19,11 +19,14 @@ pub fn decimal(digits: &str) -> Option<Rational> {
     }
     let value: BigInt = format!("{whole}{fraction}").parse().ok()?;
     let power = Pow::pow(BigInt::from(10), exponent.unsigned_abs());
-    Some(if exponent < 0 {
+    let value = if exponent < 0 {
         Rational::new(value, power)
     } else {
         Rational::new(value * power, BigInt::one())
-    })
+    };
+    // Below the smallest normal number an `f64` has few digits, so that the one that Rust reads is another number.
+    let nearest = value.to_f64().filter(|nearest| nearest.is_subnormal());
+    Some(nearest.and_then(Rational::of_f64).unwrap_or(value))
 }
 
 /// The names that `std::f64::consts` knows and formulas may use.

@@ -210,10 +210,16 @@ impl Point<'_> {
         let (value, error) = (written.value, self.error(number.place));
         let allowance = LAST_PLACES * last_place(value);
         let truth = || self.truth(number.place);
+        // What the author's operations leave open may be anything.
+        let is_settled = error <= 1e-3 * value.abs() + f64::MIN_POSITIVE;
         if !generated.is_finite() {
+            if !is_settled {
+                return None;
+            }
             return Some((Wrong::NotFinite, truth().to_string()));
         }
-        let has_sign = value.abs() > FACTOR * error + allowance;
+        // What is smaller than any normal number may be lost on the way.
+        let has_sign = value.abs() > FACTOR * error + allowance + f64::MIN_POSITIVE;
         if has_sign && generated * value.signum() <= 0.0 {
             return Some((Wrong::Sign, truth().to_string()));
         }

@@ -297,6 +297,12 @@ impl Recorder {
         let arguments = self.all(&call.args, scope, tape);
         let name = call.method.to_string();
         Value::Number(match (name.as_str(), arguments.as_slice()) {
+            // Only of 1, for the side of zero on which a number with zero added is.
+            ("copysign", [Value::Number(of)]) => {
+                let zero = tape.literal("0.0");
+                let minus_one = tape.literal("-1.0");
+                tape.push(Step::Select(Comparison::Less, [*of, zero, minus_one, x]))
+            }
             ("powi", [Value::Whole(exponent)]) => {
                 tape.push(Step::Power(x, i32::try_from(*exponent).unwrap()))
             }
