@@ -135,8 +135,12 @@ pub fn minimise_with(
     if graph.is_exceeded() {
         return as_written(written, &Reference::of(written), Fault::TooLong);
     }
-    let (reference, merged) = both(|| Reference::of(written), || merged_forms(graph, outputs));
+    let (reference, merged) = both(
+        || Reference::beside(written, graph, &outputs.all()),
+        || merged_forms(graph, outputs),
+    );
     let all = outputs.all();
+    let plain = written::circuit(&written.graph, &written.reverse);
     let size = graph.reachable(&all).len();
     let held = held.filter(|held| held.graph.reachable(&held.all()).len() <= MOST_OF_HELD * size);
     let mut held = held.map(held_forms).unwrap_or_default();
@@ -152,8 +156,11 @@ pub fn minimise_with(
         for circuits in Search::new(lowered.collect()) {
             match best_of(circuits, &reference, graph) {
                 Ok(circuit) => {
+                    // The author's own operations may be the fewest.
+                    let is_cheaper = plain.cost().weight() < circuit.cost().weight();
+                    let is_plain = is_cheaper && reference.fault(graph, &plain).is_none();
                     return Found {
-                        circuit,
+                        circuit: if is_plain { plain } else { circuit },
                         as_written: None,
                     };
                 }

@@ -91,7 +91,7 @@ pub fn minimise(
     if written.undoes_rounding || graph.is_exceeded() {
         return factor::minimise(graph, outputs, written).circuit;
     }
-    let reference = Reference::of(written);
+    let reference = Reference::beside(written, graph, &all);
     let mut circuits: Vec<Circuit> = Vec::new();
     let forms = forms(graph, &all, inner).into_iter();
     for (graph, roots) in forms.filter(|(graph, _)| !graph.is_exceeded()) {

@@ -57,12 +57,11 @@ const ALONE: usize = 96;
 const TOGETHER: u64 = 96;
 
 /// The points for a formula, each a number for each symbol: those of everyday first.
-pub fn points(graph: &Graph, roots: &[ExprId]) -> Vec<Vec<f64>> {
-    let differences = differences(graph, roots);
+pub fn points(graph: &Graph, roots: &[ExprId], differences: &[Difference]) -> Vec<Vec<f64>> {
     let used = graph.symbols_of(roots);
     let places: Vec<usize> = used.iter().map(|symbol| symbol.index()).collect();
     let everyday_and_far =
-        (0..ORDINARY + FAR).map(|number| near_differences(graph, &differences, number));
+        (0..ORDINARY + FAR).map(|number| near_differences(graph, differences, number));
     let mixed = (0..MIXED).map(|number| mixed(graph, number));
     let special = alone(graph, &places)
         .into_iter()
@@ -71,7 +70,7 @@ pub fn points(graph: &Graph, roots: &[ExprId]) -> Vec<Vec<f64>> {
 }
 
 /// Two terms of a sum that cancel where `symbol` has `ratio` times the value of `other`, and the sum's other symbols.
-struct Difference {
+pub struct Difference {
     symbol: SymbolId,
     /// None for the number 1.
     other: Option<SymbolId>,
@@ -80,7 +79,7 @@ struct Difference {
 }
 
 /// Where the author subtracts inputs from each other or from numbers: there they may well be nearly equal.
-fn differences(graph: &Graph, roots: &[ExprId]) -> Vec<Difference> {
+pub fn differences(graph: &Graph, roots: &[ExprId]) -> Vec<Difference> {
     let mut differences = Vec::new();
     for id in graph.reachable(roots) {
         let Node::Sum(terms) = graph.node(id) else {
@@ -291,13 +290,12 @@ fn together(graph: &Graph, places: &[usize]) -> Vec<Vec<f64>> {
 }
 
 /// Points of everyday with all digits, in groups that differ in the last digits alone.
-pub fn groups(graph: &Graph, roots: &[ExprId]) -> Vec<Vec<Vec<f64>>> {
+pub fn groups(graph: &Graph, differences: &[Difference]) -> Vec<Vec<Vec<f64>>> {
     const GROUPS: u64 = 5;
     const POINTS: u64 = 4;
-    let differences = differences(graph, roots);
     let group = |number: u64| {
         // Those of 1e9 and 1e-9 among them.
-        let middle = near_differences(graph, &differences, number);
+        let middle = near_differences(graph, differences, number);
         let point = |place: u64| {
             let mut random = Random::new(4000 + POINTS * number + place);
             let shift =

@@ -119,14 +119,28 @@ fn evaluated<N: Number>(
 impl Reference {
     /// The author's form.
     pub fn of(written: &Written) -> Self {
+        Self::at(
+            written,
+            &probes::differences(&written.graph, &written.roots),
+        )
+    }
+
+    /// The author's form, looked at also where differences nearly vanish that show only when it is gathered.
+    pub fn beside(written: &Written, graph: &Graph, outputs: &[ExprId]) -> Self {
+        let mut differences = probes::differences(&written.graph, &written.roots);
+        differences.extend(probes::differences(graph, outputs));
+        Self::at(written, &differences)
+    }
+
+    fn at(written: &Written, differences: &[probes::Difference]) -> Self {
         let Written { graph, roots, .. } = written;
         let order = graph.reachable(roots);
-        let probes = probes::points(graph, roots);
+        let probes = probes::points(graph, roots, differences);
         let outputs = on_all_cores(&probes, |probe| {
             evaluated(written, &order, probe, Bounded::exact)
         });
         let exact = |values: Vec<f64>| values.into_iter().map(Bounded::exact).collect();
-        let groups = probes::groups(graph, roots);
+        let groups = probes::groups(graph, differences);
         let measured = |group: &Vec<Vec<f64>>| {
             let points = group.iter().cloned();
             points.map(|at| Measured::of(written, &order, at)).collect()

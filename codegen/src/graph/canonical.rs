@@ -136,9 +136,16 @@ impl Graph {
                 }
                 _ => {}
             }
+            // A power is an operation of its own.
+            let (operand, exponent) = if exponent.abs() == 1 {
+                (operand, exponent)
+            } else {
+                let power = Factors::from_slice(&[(operand, exponent)]);
+                (self.intern(Node::Product(power)), 1)
+            };
             product = Some(match product {
                 None if exponent == 1 => operand,
-                None => self.intern(Node::Product(Factors::from_slice(&[(operand, exponent)]))),
+                None => self.intern(Node::Product(Factors::from_slice(&[(operand, -1)]))),
                 Some(left) => {
                     let both = Factors::from_slice(&[(left, 1), (operand, exponent)]);
                     self.intern(Node::Product(both))

@@ -115,7 +115,10 @@ impl Regrouping<'_> {
         let open = open || self.uses[net.index()] == 1;
         let at_points = self.stages[net.index()] == Stage::Point;
         match self.old.operation(net) {
-            Operation::Number(value) => factors.coefficient *= &value.pow(power),
+            // A division by zero stays one.
+            Operation::Number(value) if power > 0 || !value.is_zero() => {
+                factors.coefficient *= &value.pow(power);
+            }
             Operation::Product(operands) if open && at_points => {
                 for (operand, exponent) in operands {
                     let whole = i32::try_from(*exponent).unwrap_or(i32::MAX);
