@@ -666,8 +666,9 @@ pub fn derive(formula: &Formula, form: Form, by: &[SymbolId]) -> (Graph, Outputs
     (graph, outputs)
 }
 
-/// The most operations that are derived one by one in the forward mode, which takes as many for every partial.
-const MOST_FORWARD: usize = 20_000;
+/// The most operations that are derived one by one in the forward mode, which takes as many for every partial. Code of more
+/// `let`s than twice as many breaks the compiler: each is a scope within the one before.
+const MOST_FORWARD: usize = 2_000;
 
 /// The same numbers as the author wrote them, with the partials of the author's operations one by one, as dual numbers have
 /// them: in the forward mode, and in the reverse mode, which takes fewer operations.

@@ -130,10 +130,10 @@ pub fn minimise_with(
     held: Option<&Held>,
 ) -> Found {
     if written.undoes_rounding {
-        return as_written(written, &Reference::of(written), Fault::UndoesRounding);
+        return as_written(written, Fault::UndoesRounding);
     }
     if graph.is_exceeded() {
-        return as_written(written, &Reference::of(written), Fault::TooLong);
+        return as_written(written, Fault::TooLong);
     }
     let (reference, merged) = both(
         || Reference::beside(written, graph, &outputs.all()),
@@ -168,15 +168,23 @@ pub fn minimise_with(
             }
         }
     }
-    as_written(written, &reference, fault.unwrap_or(Fault::TooLong))
+    as_written(written, fault.unwrap_or(Fault::TooLong))
 }
 
-/// The author's form, with partials in the reverse mode where that takes fewer operations and is as right.
-fn as_written(written: &Written, reference: &Reference, fault: Fault) -> Found {
+/// The author's form, with partials in the reverse mode where that takes fewer operations and is as right as dual numbers are.
+fn as_written(written: &Written, fault: Fault) -> Found {
     let forward = written::circuit(&written.graph, &written.roots);
     let reverse = written::circuit(&written.graph, &written.reverse);
+    let is_right = || {
+        let alone = Written {
+            reverse: written.roots.clone(),
+            ..written.clone()
+        };
+        let reference = Reference::of(&alone);
+        reference.fault(&written.graph, &reverse).is_none()
+    };
     let is_cheaper = reverse.cost().weight() < forward.cost().weight();
-    let circuit = if is_cheaper && reference.fault(&written.graph, &reverse).is_none() {
+    let circuit = if is_cheaper && is_right() {
         reverse
     } else {
         forward

@@ -16,7 +16,7 @@ use std::sync::{Mutex, PoisonError};
 use super::bounded::Bounded;
 use super::circuit::{Circuit, Operation};
 use super::probes;
-use crate::graph::{ExprId, Function, Graph};
+use crate::graph::{ExprId, Function, Graph, Symbol, SymbolId};
 use crate::interpret::double_double::DoubleDouble;
 use crate::interpret::{self, Number};
 use crate::parallel::on_all_cores;
@@ -82,7 +82,8 @@ static REFUTED: AtomicUsize = AtomicUsize::new(0);
 
 /// The author's form at all points: what every other form is held against.
 pub struct Reference {
-    names: Vec<String>,
+    /// The symbols' names, of those that the numbers depend on.
+    names: Vec<Option<String>>,
     points: Vec<Vec<Bounded>>,
     outputs: Vec<Vec<Bounded>>,
     groups: Vec<Vec<Measured>>,
@@ -92,28 +93,62 @@ pub struct Reference {
 struct Measured {
     at: Vec<f64>,
     bounds: Vec<Bounded>,
+    /// The same with partials in the reverse mode.
+    reverse: Vec<Bounded>,
     exact: Vec<DoubleDouble>,
 }
 
 impl Measured {
-    fn of(written: &Written, order: &[ExprId], at: Vec<f64>) -> Self {
+    fn of(author: &Author<'_>, at: Vec<f64>) -> Self {
+        let [bounds, reverse] = author.bounds(&at);
         Self {
-            bounds: evaluated(written, order, &at, Bounded::exact),
-            exact: evaluated(written, order, &at, DoubleDouble::exact),
+            exact: author.evaluated(&author.written.roots, &at, DoubleDouble::exact),
+            bounds: lenient(&bounds, &reverse),
+            reverse,
             at,
         }
     }
 }
 
-fn evaluated<N: Number>(
-    written: &Written,
-    order: &[ExprId],
-    at: &[f64],
-    number: fn(f64) -> N,
-) -> Vec<N> {
-    let symbols: Vec<N> = at.iter().copied().map(number).collect();
-    interpret::evaluate_in_order(&written.graph, order, &written.roots, &symbols)
-        .unwrap_or_default()
+/// The author's form, ready to be evaluated.
+struct Author<'w> {
+    written: &'w Written,
+    order: Vec<ExprId>,
+}
+
+impl Author<'_> {
+    fn evaluated<N: Number>(&self, roots: &[ExprId], at: &[f64], number: fn(f64) -> N) -> Vec<N> {
+        let symbols: Vec<N> = at.iter().copied().map(number).collect();
+        let graph = &self.written.graph;
+        let values = interpret::evaluate_in_order(graph, &self.order, roots, &symbols);
+        values.unwrap_or_default()
+    }
+
+    /// The numbers with partials as dual numbers have them, and in the reverse mode.
+    fn bounds(&self, at: &[f64]) -> [Vec<Bounded>; 2] {
+        let Written { roots, reverse, .. } = self.written;
+        let both = [roots.as_slice(), reverse].concat();
+        let mut bounds = self.evaluated(&both, at, Bounded::exact);
+        let of_reverse = bounds.split_off(roots.len().min(bounds.len()));
+        [bounds, of_reverse]
+    }
+}
+
+/// Numbers with the larger of two errors: one way to derive the author's operations is as good as the other.
+fn lenient(forward: &[Bounded], reverse: &[Bounded]) -> Vec<Bounded> {
+    let both = forward.iter().zip(reverse);
+    let larger = |(forward, reverse): (&Bounded, &Bounded)| {
+        let error = if reverse.value.is_finite() {
+            forward.error.max(reverse.error)
+        } else {
+            forward.error
+        };
+        Bounded {
+            value: forward.value,
+            error,
+        }
+    };
+    both.map(larger).collect()
 }
 
 impl Reference {
@@ -133,23 +168,32 @@ impl Reference {
     }
 
     fn at(written: &Written, differences: &[probes::Difference]) -> Self {
-        let Written { graph, roots, .. } = written;
-        let order = graph.reachable(roots);
+        let Written {
+            graph,
+            roots,
+            reverse,
+            ..
+        } = written;
+        let author = Author {
+            order: graph.reachable(&[roots.as_slice(), reverse].concat()),
+            written,
+        };
         let probes = probes::points(graph, roots, differences);
-        let outputs = on_all_cores(&probes, |probe| {
-            evaluated(written, &order, probe, Bounded::exact)
+        let outputs = on_all_cores(&probes, |at| {
+            let [forward, reverse] = author.bounds(at);
+            lenient(&forward, &reverse)
         });
         let exact = |values: Vec<f64>| values.into_iter().map(Bounded::exact).collect();
         let groups = probes::groups(graph, differences);
         let measured = |group: &Vec<Vec<f64>>| {
             let points = group.iter().cloned();
-            points.map(|at| Measured::of(written, &order, at)).collect()
+            points.map(|at| Measured::of(&author, at)).collect()
         };
+        let used = graph.symbols_of(roots);
+        let name =
+            |(id, symbol): (SymbolId, &Symbol)| used.contains(&id).then(|| symbol.name.clone());
         Self {
-            names: graph
-                .symbols()
-                .map(|(_, symbol)| symbol.name.clone())
-                .collect(),
+            names: graph.symbols().map(name).collect(),
             points: probes.into_iter().map(exact).collect(),
             outputs,
             groups: on_all_cores(&groups, measured),
@@ -214,7 +258,13 @@ impl Reference {
         circuit: &Circuit,
     ) -> Option<Fault> {
         let mut errors: Vec<[f64; 2]> = Vec::new();
-        for Measured { at, bounds, exact } in group {
+        for Measured {
+            at,
+            bounds,
+            reverse,
+            exact,
+        } in group
+        {
             let symbols: Vec<Bounded> = at.iter().copied().map(Bounded::exact).collect();
             let found = interpret::evaluate_circuit(graph, circuit, &symbols);
             let symbols: Vec<DoubleDouble> = at.iter().copied().map(DoubleDouble::exact).collect();
@@ -239,7 +289,9 @@ impl Reference {
                         error.high.abs() / exact.high.abs()
                     };
                     let [author, other] = &mut errors[place];
-                    *author = author.max(error(known.value));
+                    *author = author
+                        .max(error(known.value))
+                        .max(error(reverse[place].value));
                     *other = other.max(error(found[place].value));
                 }
             }
@@ -253,7 +305,7 @@ impl Reference {
     fn text(&self, values: impl Iterator<Item = f64>) -> String {
         let values = self.names.iter().zip(values);
         let values: Vec<String> = values
-            .map(|(name, value)| format!("{name} = {value:?}"))
+            .filter_map(|(name, value)| Some(format!("{} = {value:?}", name.as_ref()?)))
             .collect();
         values.join(", ")
     }

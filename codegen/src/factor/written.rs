@@ -107,6 +107,7 @@ fn constant(
 ) -> Option<Rational> {
     let value = |operand: &ExprId| circuit.as_number(image(operand));
     match graph.node(id) {
+        Node::Sum(terms) if terms.len() == 1 => Some(value(&terms[0].0)? * &terms[0].1),
         Node::Sum(terms) => {
             let mut sum: Option<f64> = None;
             for (operand, q) in terms {
