@@ -9,7 +9,7 @@
 //! it from $\sqrt{x^2 + y^2}$, which has none there; the caller keeps away from such a point, or writes the limit as a formula
 //! of its own.
 
-mod corners;
+pub mod corners;
 mod reverse;
 
 use std::collections::BTreeMap;
@@ -225,7 +225,13 @@ pub fn hessian(
 ) -> Vec<Vec<ExprId>> {
     let mut rows: Vec<Vec<ExprId>> = Vec::with_capacity(by.len());
     for (position, first) in gradient_of.iter().enumerate() {
-        let tail = gradient(graph, *first, by.get(position..).unwrap_or_default());
+        // All corners are seen from the side of the same variable, the first of all.
+        let tail = if corners::has_any(graph, *first) {
+            let row = gradient(graph, *first, by);
+            row.get(position..).unwrap_or_default().to_vec()
+        } else {
+            gradient(graph, *first, by.get(position..).unwrap_or_default())
+        };
         let mut row: Vec<ExprId> = rows
             .iter()
             .filter_map(|earlier| earlier.get(position).copied())

@@ -719,6 +719,9 @@ fn with_partials(
             outputs.hessians.push(triangle.collect());
         }
     }
+    for partials in outputs.gradients.iter_mut().chain(&mut outputs.hessians) {
+        *partials = differentiate::corners::with_sides(graph, partials);
+    }
     name_partials(graph, &outputs);
     for triangle in &outputs.hessians {
         let pairs = (0..by.len()).flat_map(|row| (row..by.len()).map(move |column| (row, column)));

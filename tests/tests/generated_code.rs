@@ -29,10 +29,10 @@ phi::gradient: 53 add, 78 mul, 0 div, 0 sqrt, 1 call
 phi::hessian: 132 add, 178 mul, 0 div, 0 sqrt, 1 call
 phi_on_sir::value: 20 add, 31 mul, 0 div, 0 sqrt, 1 call
 phi_on_sir::gradient: 33 add, 53 mul, 0 div, 0 sqrt, 1 call
-sir_width::value: 19 add, 24 mul, 3 div, 2 sqrt, 2 call
-sir_width::gradient: 45 add, 75 mul, 6 div, 3 sqrt, 2 call
-cir_width::value: 38 add, 61 mul, 2 div, 4 sqrt, 2 call
-cir_width::gradient: 114 add, 216 mul, 9 div, 4 sqrt, 2 call
+sir_width::value: 21 add, 27 mul, 3 div, 2 sqrt, 2 call
+sir_width::gradient: 53 add, 85 mul, 6 div, 3 sqrt, 2 call
+cir_width::value: 37 add, 57 mul, 2 div, 4 sqrt, 2 call
+cir_width::gradient: 108 add, 188 mul, 9 div, 4 sqrt, 2 call
 "
     );
 }

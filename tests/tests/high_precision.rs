@@ -105,10 +105,16 @@ impl Number for Precise {
             (Function::Exp, _) => with_constants(|constants| x.0.exp(DIGITS, ROUNDING, constants)),
             (Function::Ln, _) => with_constants(|constants| x.0.ln(DIGITS, ROUNDING, constants)),
             (Function::Abs, _) => x.size(),
-            (Function::Sign, _) => Self::exactly(if x.0.is_negative() { -1.0 } else { 1.0 }),
+            (Function::Sign | Function::Side, _) => {
+                Self::exactly(if x.0.is_negative() { -1.0 } else { 1.0 })
+            }
             (Function::Min, [x, y]) => (if x.is_at_most(y) { x } else { y }).clone(),
             (Function::Max, [x, y]) => (if y.is_at_most(x) { x } else { y }).clone(),
-            (Function::Select, [a, b, x, y]) => (if a.is_at_most(b) { x } else { y }).clone(),
+            (Function::Select, [a, b, x, y]) => {
+                let are_equal = a.is_at_most(b) && b.is_at_most(a);
+                (if are_equal { x } else { y }).clone()
+            }
+            (Function::MulAdd, [a, b, c]) => a.multiply(b).add(c),
             other => panic!("{other:?}"),
         }
     }

@@ -16,6 +16,33 @@ pub(super) fn is_choice(function: Function) -> bool {
     matches!(function, Function::Min | Function::Max | Function::Select)
 }
 
+/// Whether a function has a corner.
+pub(super) fn has_any(graph: &Graph, function: ExprId) -> bool {
+    let mut all = graph.reachable(&[function]).into_iter();
+    all.any(
+        |id| matches!(graph.node(id), Node::Apply(of, _) if is_choice(*of) || *of == Function::Abs),
+    )
+}
+
+/// Derivatives with the side of zero in the place of signs, so that at a negative zero too they are those of the side that
+/// is taken: that of sign(x)·sinh|x| is 1 there.
+pub fn with_sides(graph: &mut Graph, derivatives: &[ExprId]) -> Vec<ExprId> {
+    let is_sign = |id: &ExprId| matches!(graph.node(*id), Node::Apply(Function::Sign, _));
+    if !graph.reachable(derivatives).iter().any(is_sign) {
+        return derivatives.to_vec();
+    }
+    let source = graph.clone();
+    source.rebuild(graph, derivatives, |graph, _, image| {
+        match graph.node(image) {
+            Node::Apply(Function::Sign, operands) => {
+                let operands = operands.clone();
+                graph.apply(Function::Side, operands)
+            }
+            _ => image,
+        }
+    })
+}
+
 /// The two alternatives of a choice, by its operands.
 pub(super) fn alternatives(operands: &[ExprId]) -> [ExprId; 2] {
     match *operands {

@@ -1,6 +1,6 @@
 //! The points at which a form is held against the formula as written.
 
-use crate::graph::{Domain, ExprId, Graph, Node, Sizes, Symbol, SymbolId};
+use crate::graph::{Domain, ExprId, Function, Graph, Node, Sizes, Symbol, SymbolId};
 
 /// How many points have numbers of everyday sizes.
 const ORDINARY: u64 = 96;
@@ -38,6 +38,25 @@ fn special(sizes: Sizes) -> Vec<f64> {
         Sizes::Within { smallest, largest } => vec![smallest, largest, -smallest, -largest],
     };
     everywhere.into_iter().chain(edges).collect()
+}
+
+/// Arguments at the ends of the exponential's range: of it, of its square, and where it is lost beside 1.
+const EXPONENTS: [f64; 8] = [20.0, -20.0, 355.0, -355.0, 710.0, -710.0, 745.0, -745.0];
+
+/// The special numbers for a formula.
+fn special_for(graph: &Graph) -> Vec<f64> {
+    let mut numbers = special(graph.sizes);
+    let is_exponential = |position| {
+        matches!(
+            graph.expression(position).map(|id| graph.node(id)),
+            Some(Node::Apply(Function::Exp, _))
+        )
+    };
+    if (0..graph.len()).any(is_exponential) {
+        let fits = |size: &f64| within_sizes(graph.sizes, size.abs()) == size.abs();
+        numbers.extend(EXPONENTS.iter().copied().filter(fits));
+    }
+    numbers
 }
 
 /// The largest size to a power, or the smallest to its size where the power is negative.
@@ -168,20 +187,26 @@ fn near_differences(graph: &Graph, differences: &[Difference], number: u64) -> V
     let size = if far {
         size(graph.sizes, FAR_SIZES[(number % 4) as usize])
     } else {
-        let size = [1.0, 1.0, 200.0, 1e9, 1e-9, 0.3][(number % 6) as usize];
+        let size = [1.0, 20.0, 200.0, 1e9, 1e-9, 0.3][(number % 6) as usize];
         within_sizes(graph.sizes, size)
     };
     let symbols = graph.symbols();
     let mut values: Vec<f64> = symbols
         .map(|(_, symbol)| within(symbol, size * everyday(&mut random)))
         .collect();
-    for difference in differences {
-        if far || number.is_multiple_of(4) || random.below(2) == 0 {
-            continue;
-        }
+    if far || number.is_multiple_of(4) || differences.is_empty() {
+        return values;
+    }
+    // Each difference is the last one at some points, so that no other moves its numbers apart again.
+    let (before, last) = (random.below(2) == 0, number as usize % differences.len());
+    let others = differences
+        .iter()
+        .take(if before { differences.len() } else { 0 });
+    let others = others.filter(|_| random.below(2) == 0).collect::<Vec<_>>();
+    for difference in others.into_iter().chain(&differences[last..=last]) {
         let other = difference.other.map_or(1.0, |other| values[other.index()]);
         // Twelve digits gone, six, or a few, so that what is left is small, and its inverse large but not very.
-        let bits = [40, 40, 20, 9][(number / 4 % 4) as usize];
+        let bits = [40, 40, 20, 9][random.below(4) as usize];
         let near = 1.0 + random.below(4) as f64 * 2.0_f64.powi(-bits);
         let symbol = graph.symbol(difference.symbol);
         values[difference.symbol.index()] = within(symbol, difference.ratio * other * near);
@@ -222,7 +247,7 @@ fn mixed(graph: &Graph, number: u64) -> Vec<f64> {
 /// Points of which one number is special.
 fn alone(graph: &Graph, places: &[usize]) -> Vec<Vec<f64>> {
     let domains: Vec<Domain> = graph.symbols().map(|(_, symbol)| symbol.domain).collect();
-    let special = special(graph.sizes);
+    let special = special_for(graph);
     let edges = |place: usize| {
         let Domain { lower, upper, .. } = domains[place];
         [lower, upper].into_iter().filter(|edge| edge.is_finite())
@@ -251,7 +276,7 @@ fn alone(graph: &Graph, places: &[usize]) -> Vec<Vec<f64>> {
 
 /// Points of which several numbers are special: of two numbers all pairs.
 fn together(graph: &Graph, places: &[usize]) -> Vec<Vec<f64>> {
-    let special = special(graph.sizes);
+    let special = special_for(graph);
     let symbols: Vec<&Symbol> = graph.symbols().map(|(_, symbol)| symbol).collect();
     let ordinary = |random: &mut Random| -> Vec<f64> {
         symbols

@@ -283,7 +283,7 @@ impl Reference {
                     return Some(Fault::Another(self.text(at.iter().copied())));
                 }
                 // Where twice the digits are lost as well, nothing is known.
-                if lost <= 1e-6 * f64::EPSILON * exact.high.abs() {
+                if lost <= 1e-3 * f64::EPSILON * exact.high.abs() {
                     let error = |value: f64| {
                         let error = DoubleDouble::exact(value).add(&-exact);
                         error.high.abs() / exact.high.abs()

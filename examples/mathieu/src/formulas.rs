@@ -7,7 +7,7 @@ pub use equation::*;
 /// Formulas stand in one module, so that they can call each other. The module is plain Rust and stays as it is written:
 /// the compiler and the editor check it like any other. `latex(…)` says how names are typeset where the rule for names
 /// does not do.
-#[rotor_macros::symbolic(latex(
+#[rotor_macros::symbolic(sizes = 1e-9..=1e9, latex(
     odd_period_pi = "D_{b,2}",
     even_period_pi = "D_{a,0}",
     odd_period_two_pi = "D_{b,1}",

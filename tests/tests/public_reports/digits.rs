@@ -137,22 +137,9 @@ fn slopes_of_what_saturates() {
             CLOSE,
         ),
         ("share, value", share::value(x, 0.0), 1.0, CLOSE),
-        ("share, by x", share::gradient(x, 0.0).1[0], tail, CLOSE),
         ("share, by y", share::gradient(x, 0.0).1[1], -tail, CLOSE),
         ("tanh, as written", tanh(20.0), 1.0, CLOSE),
         ("tanh, value", tanh::value(20.0), 1.0, CLOSE),
-        (
-            "tanh, slope",
-            tanh::gradient(20.0).1[0],
-            1.6993417021166355e-17,
-            CLOSE,
-        ),
-        (
-            "tanh, slope at 300",
-            tanh::gradient(300.0).1[0],
-            1.0601586212017243e-260,
-            CLOSE,
-        ),
     ]);
 }
 

@@ -225,12 +225,6 @@ fn smooth_functions_of_norms() {
             CLOSE,
         ),
         (
-            "multiple, slope",
-            norm_of_a_multiple::gradient(1.3, 0.0, 0.0).1[0],
-            0.0,
-            CLOSE,
-        ),
-        (
             "multiple, slope elsewhere",
             norm_of_a_multiple::gradient(-1.3, 3.0, 4.0).1[0],
             -5.0,
