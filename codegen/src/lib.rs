@@ -12,9 +12,9 @@
 //!
 //! | | |
 //! |---|---|
-//! | numbers | literals, constants of the module and of `std::f64::consts`, all exact: `0.1` is one tenth |
+//! | numbers | literals, constants of the module and of `std::f64::consts`, all exact: `0.1` is one tenth; a literal below 2.2e-308 is the `f64` that Rust reads |
 //! | operators | `+ - * /` |
-//! | methods | `powi(n)`, `sqrt`, `sin`, `cos`, `tan`, `exp`, `ln`, `abs`, `recip`, `mul_add`, `min`, `max` |
+//! | methods | `powi(n)`, `sqrt`, `sin`, `cos`, `tan`, `exp`, `ln`, `abs`, `signum`, `recip`, `mul_add` (rounded once), `min`, `max` |
 //! | access | `c.field`, `a[0]`, `pair.0` |
 //! | structs | `Name { field: x }`, `Name { field: x, ..*c }` |
 //! | calls | of other formulas of the module; `f::d_x(…)`, `f::d_x_y(…)` of their partials |
@@ -28,7 +28,8 @@
 //! Attributes of a function say what is wanted: `#[generate(value, gradient(x, c.y), hessian(x, c.y), columns, stage(c.y),
 //! budget(operations = 96))]`, `#[domain(x > 0.0)]`, `#[specialise(name, x = y, generate(…))]`,
 //! `#[approximate(x = 0.0..=1.0, factor = x.powi(2), tolerance = 1e-13)]`; see [`parse::attributes`]. The module's own
-//! attribute may hold a table of symbols for [`latex`].
+//! attribute may say how large its numbers are and where they lie, `symbolic(sizes = 1e-9..=1e9, domain(c.beta <= 2.0))`, and
+//! hold a table of symbols for [`latex`].
 //!
 //! What is derived by, has a domain or is replaced is a number `x`, a field `c.y` or an element `a[0]`; whole parameters may
 //! be replaced, too. Without a list, partials are by every number that the function's source names, also through the
@@ -88,12 +89,35 @@
 //!
 //! # Limits
 //!
+//! **The function as written is the reference.** A generated form is taken only if it is finite wherever the author's form is,
+//! and its error is no larger than 64 times the author's: operation by operation as Rust evaluates it, partials as dual numbers
+//! or the reverse mode derive the author's operations one by one. That is looked at on some 400 points, of which many have zeros,
+//! infinities, what is no number, the smallest and the largest numbers, or numbers of which differences nearly vanish
+//! ([`factor::probes`]), by running bounds of the errors and by the errors themselves in twice the digits
+//! ([`factor::rounding`]). Where no form with fewer operations passes, the code is the author's own, and its documentation says
+//! why: *As it is written: …*.
+//!
+//! **Say how large numbers are, and forms are free.** By default a formula is right for every `f64`, and 1/(1/x + 1/y) keeps its
+//! three divisions, because xy/(x + y) is no number at x = ∞ and leaves the range at 1e170. With
+//! `#[symbolic(sizes = 1e-9..=1e9)]` the module's numbers are 0 or of these sizes, and with `#[domain(x > 0.0, x <= 2.0)]` a
+//! number lies where it says: forms need be right only there. Engineering formulas in SI units should have both.
+//!
 //! What a generated form does at the edges of a formula:
 //!
 //! - **Constants.** Functions of constants are computed when the crate is built, to more digits than a literal has. The
 //!   root or logarithm of a negative constant is left in the code and is NaN there, as it is in the function as written.
-//! - **Corners.** The derivative of a size is its `signum`, 1 at `0.0`; that of the smaller and larger of two is that of the
-//!   one that is taken, of the first of two equals for `min` and of the second for `max`.
+//! - **Sums against rounding.** `(a + b) - a`, the sum and carry of Kahan and Knuth, a split by `c - (c - x)`, and any sum that is
+//!   0 on paper are what rounding makes of them: a formula that has one is generated as it is written. `mul_add` is rounded once
+//!   in every form, also in packs, where a machine without the instruction takes long for it.
+//! - **Corners.** At a corner, the tie of `min` and `max` and the 0 of `abs`, the derivative is that of the side on which the
+//!   first of the variables derived by is a little larger ([`differentiate::corners`]). All corners of a formula are seen from
+//!   the same side, so that where they cancel (the softplus, x·|x|, max(x, 0) − max(−x, 0)) the derivative is the true one.
+//!   Where one of two is NaN, `min` and `max` and their derivatives are those of the other, as in Rust. The derivative of
+//!   `signum` is 0.
+//! - **Signs of zero and NaN.** A form may be 0 where the author's is −0, and finite where the author's is NaN: x − x is 0.
+//! - **Size.** Calls may be nested 256 deep, groups of tokens 128 deep; a chain of operators or methods may be of any length.
+//!   Searches stop at a stated number of looks ([`budget`]). Constants and exponents that grow too long while they are gathered
+//!   leave the formula as it is written.
 //! - **Roots of 0.** A derivative is finite where every part of it is: that of $\sqrt{x^3}$ is, because it is written
 //!   $\tfrac32\sqrt x$. That of $\sqrt{x^4 + y^4}$ at the origin is 0 but comes out as $0\cdot\infty$, NaN; so does the one of
 //!   $\sqrt{x^2 + y^2}$, which has none there.
@@ -101,23 +125,24 @@
 //!   of a term of it, is left: those of $\sqrt{x^2 + x + 1}$ keep all digits for all $x$. Where more is left nothing is
 //!   multiplied out, and the digits are lost: the second derivative of $\sqrt{x^2 + 1/x}$ is off by $5\cdot10^{-9}$ of itself at
 //!   $x = 10^3$, by $3\cdot10^{-5}$ at $10^4$, and by half of itself at $10^6$.
-//! - **Range.** Forms are compared at numbers up to $10^{\pm170}$. One that stays finite there, where the formula does, is
-//!   taken if it costs no more than an eighth and a division beyond the cheapest.
+//! - **Range of derivatives.** They have the range of dual numbers on the author's operations: that of 1 − 2/(e^{2x} + 1) at
+//!   x = 1000 is 0·∞, NaN; that of (1 − t)/(1 + t) with t = e^{−2x} is 0.
 //!
 //! # Modules, in the order in which a formula passes
 //!
 //! | | |
 //! |---|---|
-//! | [`parse`] | source to functions, attributes, and values over a graph; all checks of what an author writes |
-//! | [`graph`] | the graph, its canonical form, and what is known of signs |
-//! | [`differentiate`] | reverse-mode partials in the graph |
+//! | [`parse`] | source to functions, attributes, and values over a graph as written; all checks of what an author writes |
+//! | [`graph`] | the graph, as written and in its canonical form, and what is known of signs |
+//! | [`gather`] | from the graph as written to the canonical one |
+//! | [`differentiate`] | partials in the graph by the reverse and the forward mode |
 //! | [`rewrite`] | a table of sound rules, each with its guard |
 //! | [`factor`] | the fewest operations over a value and its partials together |
 //! | [`stage`] | what is done once, what once for each value of an inner parameter, what at every point |
 //! | [`emit`] | circuits to tokens: functions of numbers, functions over columns, the loops of stages |
 //! | [`mod@expand`] | the pipeline, and the module that comes out |
 //!
-//! Beside them: [`approximate`] and [`tables`] (integrals and costly functions as piecewise polynomials, fitted when the
+//! Beside them: [`budget`] (how long searches go on, counted), [`approximate`] and [`tables`] (integrals and costly functions as piecewise polynomials, fitted when the
 //! crate is built), [`interpret`] (evaluates a graph), [`cost`] (counts), [`diagnostics`] (messages at tokens), [`latex`]
 //! (source to formulas as printed), [`dot`] (circuits as pictures), [`show`] (all of these by a formula's name).
 

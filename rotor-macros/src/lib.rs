@@ -20,12 +20,14 @@ use proc_macro::TokenStream;
 ///
 /// Formulas call each other, and each other's partials as `f::d_x(…)`, `f::d_x_y(…)`. Further attributes:
 ///
-/// - `#[domain(x >= 0.0, c.y > 0.0)]` says what signs inputs have; rewriting relies on it.
+/// - `#[domain(x >= 0.0, c.y <= 2.0)]` says where inputs lie; rewriting relies on their signs, and forms need be right there.
 /// - `#[specialise(name, x = y, generate(…))]` makes the function `name` with `x`, a field `c.y` or an element `a[0]` replaced.
 /// - `#[approximate(x = 0.0..=1.0, factor = x.powi(2), tolerance = 1e-13)]` tabulates a costly function of one number, or
 ///   one written as `integral(|t| …, a..b)`, when the crate is built.
 ///
-/// `#[symbolic(latex(omega_bar = "\\varpi"))]` at the module says how names are typeset by tools that show formulas.
+/// At the module, `#[symbolic(sizes = 1e-9..=1e9, domain(c.beta <= 2.0), latex(omega_bar = "\\varpi"))]` says how large its
+/// numbers are, where those of some names lie, and how names are typeset by tools that show formulas. By default a generated
+/// form is as right as the function as written for every `f64`, and takes the more operations for it.
 ///
 /// # Example
 ///

@@ -3,9 +3,9 @@
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-use super::Expansion;
 use super::fallback::stub_function;
 use super::text::as_written;
+use super::{Expansion, Formula};
 use crate::differentiate::{self, Gradient};
 use crate::emit::expression::Writer;
 use crate::emit::scalar;
@@ -18,6 +18,15 @@ use crate::parse::numbers;
 use crate::rewrite;
 
 impl Expansion {
+    /// A formula with all inputs that are known of its function: the same names as where it is called.
+    fn with_known_inputs(&self, function: &Function) -> Option<Formula> {
+        let mut formula = self.formula(&function.name())?.clone();
+        for number in numbers::known(&self.module, function) {
+            formula.input(&number);
+        }
+        Some(formula)
+    }
+
     /// The function `d_x` or `d_x_y`.
     pub(super) fn partial(&mut self, function: &Function, partial: &str) -> TokenStream {
         let name = format_ident!("{partial}");
@@ -26,14 +35,9 @@ impl Expansion {
             " Partial `{partial}` of [`{0}`](super::{0}()).",
             function.name()
         );
-        let Some(formula) = self.formula(&function.name()) else {
+        let Some(mut formula) = self.with_known_inputs(function) else {
             return stub_function(function, &quote!(#name), &quote!(f64));
         };
-        let mut formula = formula.clone();
-        // The same names as where it is called.
-        for number in numbers::known(&self.module, function) {
-            formula.input(&number);
-        }
         let symbols = formula.graph.symbols();
         let own = symbols.filter(|(_, symbol)| symbol.role == Role::Input);
         let names: Vec<(String, SymbolId)> = own
