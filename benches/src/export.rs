@@ -90,7 +90,7 @@ fn description(field: &Field, name: &str) -> Result<Value, ExportError> {
         "parameters": parameters.collect::<Vec<_>>(),
         "symbols": symbols.iter().zip(&point).map(|((_, symbol), value)| json!({
             "name": symbol.name,
-            "positive": symbol.sign.is_positive(),
+            "positive": symbol.domain.sign.is_positive(),
             "value": value,
         })).collect::<Vec<_>>(),
         "by": counted.gradient.by.iter().map(|symbol| name_of(*symbol)).collect::<Vec<_>>(),
