@@ -168,6 +168,8 @@ pub struct Expansion {
     forms: BTreeMap<String, Vec<TokenStream>>,
     uses_columns: bool,
     uses_integral: bool,
+    /// Whether it was reported that calls go too deep.
+    too_deep: bool,
     used_tables: BTreeMap<String, TokenStream>,
 }
 
@@ -201,6 +203,7 @@ impl Expansion {
             forms: BTreeMap::new(),
             uses_columns: false,
             uses_integral: false,
+            too_deep: false,
             used_tables: BTreeMap::new(),
         }
     }
@@ -259,7 +262,11 @@ impl Expansion {
         let mut reader = Reader::new(&self.module, &mut self.tables);
         let value = reader.read(function);
         // Bodies of tabulated functions are read by the table; what they call is known only there.
-        let (graph, diagnostics, named) = (reader.graph, reader.diagnostics, reader.named);
+        let (graph, mut diagnostics, named) = (reader.graph, reader.diagnostics, reader.named);
+        // Of all functions that call too deep one is reported.
+        if reader.too_deep && std::mem::replace(&mut self.too_deep, true) {
+            diagnostics = Diagnostics::default();
+        }
         self.partials.extend(reader.partials);
         self.uses_integral |= reader.integrals > 0 || function.approximation.is_some();
         self.diagnostics.append(diagnostics);

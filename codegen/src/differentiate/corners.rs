@@ -9,7 +9,7 @@
 //! side is taken on which the difference of the two, as it stands, is above zero; that of its negative is the same side.
 //! Where one of two is not a number, the larger and the smaller of them are the other, and so is the derivative.
 
-use crate::graph::{ExprId, Function, Graph, Node, Rational};
+use crate::graph::{ExprId, Function, Graph, Node, Rational, Sign};
 
 /// Whether the function is one of several alternatives.
 pub(super) fn is_choice(function: Function) -> bool {
@@ -111,7 +111,7 @@ pub(super) fn side(graph: &mut Graph, of: ExprId, inner: &[ExprId]) -> ExprId {
 
 /// Whether a difference is above zero on the side of a corner that is taken, from its first derivative that is not 0.
 fn goes_above(graph: &Graph, difference: ExprId, growth: Option<ExprId>) -> bool {
-    match growth.map(|growth| graph.sign(growth)) {
+    match growth.map(|growth| sign_of(graph, growth)) {
         Some(sign) if sign.is_not_negative() => true,
         Some(sign) if sign.is_not_positive() => false,
         _ => match graph.node(difference) {
@@ -122,4 +122,16 @@ fn goes_above(graph: &Graph, difference: ExprId, growth: Option<ExprId>) -> bool
             _ => true,
         },
     }
+}
+
+/// What is known of a derivative's sign: of the author's operations one by one what is known when they are gathered.
+fn sign_of(graph: &Graph, growth: ExprId) -> Sign {
+    if !graph.is_as_written() {
+        return graph.sign(growth);
+    }
+    let mut gathered = Graph::with_symbols_of(graph);
+    let roots = graph.rebuild(&mut gathered, &[growth], |_, _, image| image);
+    roots
+        .first()
+        .map_or(Sign::UNKNOWN, |root| gathered.sign(*root))
 }

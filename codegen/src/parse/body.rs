@@ -44,6 +44,8 @@ pub struct Reader<'m> {
     pub named: BTreeSet<SymbolId>,
     /// How many calls are being followed.
     depth: usize,
+    /// Whether calls went deeper than they may.
+    pub too_deep: bool,
     /// The values of expressions that depend on no input, by position, as far as they were asked for.
     constants: Vec<Option<f64>>,
 }
@@ -62,6 +64,7 @@ impl<'m> Reader<'m> {
             partials: BTreeSet::new(),
             named: BTreeSet::new(),
             depth: 0,
+            too_deep: false,
             constants: Vec::new(),
         }
     }
@@ -173,6 +176,7 @@ impl<'m> Reader<'m> {
     /// The function's result for these arguments.
     fn call(&mut self, function: &Function, arguments: Vec<Value>) -> Option<Value> {
         if self.depth == DEEPEST_CALL {
+            self.too_deep = true;
             let hint = "give the value between two calls as a parameter of a function of its own";
             self.diagnostics.error_with_hint(
                 function.item.sig.ident.span(),

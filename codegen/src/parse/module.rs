@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use proc_macro2::Span;
 use syn::visit::Visit;
@@ -21,6 +21,8 @@ pub struct Module {
     pub item: ItemMod,
     /// Its functions in order.
     pub functions: Vec<Rc<Function>>,
+    /// The place of each by its name, of two that have one name that of the first.
+    places: BTreeMap<String, usize>,
     /// Its constants: name and value.
     pub constants: Vec<(String, syn::Expr)>,
     /// What it imports of the standard library's constants.
@@ -130,6 +132,7 @@ impl Module {
         let mut module = Self {
             item: item.clone(),
             functions: Vec::new(),
+            places: BTreeMap::new(),
             constants: Vec::new(),
             imports: Imports::default(),
             cyclic_constants: BTreeSet::new(),
@@ -183,9 +186,7 @@ impl Module {
 
     /// The function of that name.
     pub fn function(&self, name: &str) -> Option<&Rc<Function>> {
-        self.functions
-            .iter()
-            .find(|function| function.item.sig.ident == name)
+        self.functions.get(*self.places.get(name)?)
     }
 
     /// The fields of a struct of the module by its type or a reference to it; those of a struct from outside are not
@@ -282,6 +283,8 @@ impl Module {
             );
             return Vec::new();
         }
+        let place = self.functions.len();
+        self.places.entry(function.name()).or_insert(place);
         self.functions.push(Rc::new(function));
         let specialisations = attributes.specialisations.into_iter();
         specialisations

@@ -167,7 +167,8 @@ impl<'m> Reader<'m> {
         let Some(approximation) = &function.approximation else {
             let before = self.diagnostics.len();
             let result = self.call(function, arguments);
-            if result.is_none() {
+            // What is too deep is so wherever the calls begin.
+            if result.is_none() && !self.too_deep {
                 let reasons = self.diagnostics.split_off(before);
                 self.explain_failed_call(function, &reasons, span);
             }
