@@ -323,3 +323,75 @@ fn has_no_corners(circuit: &Circuit) -> bool {
         )
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use smallvec::smallvec;
+
+    use super::*;
+    use crate::graph::{Rational, Sizes, whole};
+
+    /// The product of two symbols as written.
+    fn product() -> Written {
+        let mut graph = Graph::as_written();
+        // Numbers too small for twice the digits show nothing.
+        graph.sizes = Sizes::Within {
+            smallest: 1e-9,
+            largest: 1e300,
+        };
+        let symbols = ["x", "y"].map(|name| graph.symbol_named(name));
+        let [x, y] = symbols.map(|symbol| graph.symbol_expression(symbol));
+        let roots = vec![graph.multiply(x, y)];
+        Written {
+            graph,
+            reverse: roots.clone(),
+            roots,
+            undoes_rounding: false,
+        }
+    }
+
+    /// The product times a number.
+    fn multiple(written: &Written, factor: Rational) -> Circuit {
+        let mut circuit = super::super::written::circuit(&written.graph, &written.roots);
+        let product = circuit.outputs[0];
+        circuit.outputs = vec![circuit.push(Operation::Sum(smallvec![(product, factor)]))];
+        circuit
+    }
+
+    #[test]
+    fn another_number_is_found_in_its_twentieth_digit() {
+        let written = product();
+        let reference = Reference::of(&written);
+        let itself = super::super::written::circuit(&written.graph, &written.roots);
+        assert_eq!(reference.fault(&written.graph, &itself), None);
+        let hair = Rational::new(
+            1.into(),
+            num_traits::Pow::pow(num_bigint::BigInt::from(10), 20_u32),
+        );
+        let before = refuted();
+        let other = multiple(&written, whole(1) + hair);
+        let fault = reference.fault(&written.graph, &other);
+        assert!(matches!(fault, Some(Fault::Another(_))), "{fault:?}");
+        assert!(refuted() > before);
+    }
+
+    #[test]
+    fn what_loses_its_range_or_its_digits_is_found() {
+        let written = product();
+        let reference = Reference::of(&written);
+        let fault = |circuit| reference.fault(&written.graph, &circuit);
+        // x·y as x·(y·x)/x leaves the range, and as (x·y + x) − x loses digits.
+        let mut far = super::super::written::circuit(&written.graph, &written.roots);
+        let (x, product) = (far.operands(far.outputs[0])[0], far.outputs[0]);
+        let twice = far.push(Operation::Product(smallvec![(x, 1), (product, 1)]));
+        far.outputs = vec![far.push(Operation::Quotient(twice, x))];
+        assert!(matches!(
+            fault(far),
+            Some(Fault::NotFinite(_) | Fault::LosesDigits(_))
+        ));
+        let mut near = super::super::written::circuit(&written.graph, &written.roots);
+        let sum = near.sum_of_two((product, whole(1)), (x, whole(1)));
+        near.outputs = vec![near.sum_of_two((sum, whole(1)), (x, whole(-1)))];
+        assert!(matches!(fault(near), Some(Fault::LosesDigits(_))));
+    }
+}

@@ -234,6 +234,8 @@ impl Module {
         let function = Rc::clone(&self.functions[position]);
         if let Some(special) = specialise::function(self, &function, specialisation, diagnostics) {
             self.functions.insert(position, Rc::new(special));
+            let names = self.functions.iter().map(|function| function.name());
+            self.places = names.zip(0..).collect();
         }
     }
 
