@@ -4,7 +4,7 @@
 //! the range of numbers where $1/(1/x+1/y)$ does not. The author's form, evaluated operation by operation as Rust does, is what
 //! every other form is held against, derivatives against those of the author's operations one by one. A form is taken only
 //! where it is finite wherever the author's is and its error is no larger than a stated multiple of the author's: at points
-//! with zeros, infinities, and numbers far from 1 ([`probes`](super::probes)), by running bounds of the errors
+//! with zeros, infinities, and numbers far from 1 ([`probes`]), by running bounds of the errors
 //! ([`bounded`](super::bounded)); and, where bounds say nothing because rounding errors cancel, by the errors themselves, measured
 //! in twice the digits. There each form also has to be the same number as the author's to some 28 digits, which confirms all
 //! that was taken for equal on the way to it.

@@ -208,7 +208,13 @@ impl Point<'_> {
     ) -> Option<(Wrong, String)> {
         let written = self.written[number.place];
         let (value, error) = (written.value, self.error(number.place));
-        let allowance = LAST_PLACES * last_place(value);
+        // What is smaller than any normal number may be lost on the way.
+        let lost = if value.abs() < f64::MIN_POSITIVE {
+            f64::MIN_POSITIVE
+        } else {
+            0.0
+        };
+        let allowance = LAST_PLACES * last_place(value) + lost;
         let truth = || self.truth(number.place);
         // What the author's operations leave open may be anything.
         let is_settled = error <= 1e-3 * value.abs() + f64::MIN_POSITIVE;
@@ -218,8 +224,7 @@ impl Point<'_> {
             }
             return Some((Wrong::NotFinite, truth().to_string()));
         }
-        // What is smaller than any normal number may be lost on the way.
-        let has_sign = value.abs() > FACTOR * error + allowance + f64::MIN_POSITIVE;
+        let has_sign = value.abs() > FACTOR * error + allowance;
         if has_sign && generated * value.signum() <= 0.0 {
             return Some((Wrong::Sign, truth().to_string()));
         }
