@@ -149,5 +149,6 @@ fn small_formulas_take_as_few_operations_as_by_hand() {
         "fn f(x: f64, y: f64) -> f64 { x.exp() * y.exp() + (-x).exp() + (2.0 * x).exp() }";
     assert_eq!(counts(exponentials, Form::Value).4, 2);
     let product = "fn f(x: f64, y: f64) -> f64 { x.exp() * y.exp() }";
-    assert_eq!(counts(product, Form::Value), (1, 0, 0, 0, 1));
+    // The exponential of a sum in the hundreds loses two digits, so that both stay.
+    assert_eq!(counts(product, Form::Value), (0, 1, 0, 0, 2));
 }
