@@ -198,7 +198,8 @@ fn near_differences(graph: &Graph, differences: &[Difference], number: u64) -> V
         return values;
     }
     // Each difference is the last one at some points, so that no other moves its numbers apart again.
-    let (before, last) = (random.below(2) == 0, number as usize % differences.len());
+    let place = (number - number / 4 - 1) as usize;
+    let (before, last) = (random.below(2) == 0, place % differences.len());
     let others = differences
         .iter()
         .take(if before { differences.len() } else { 0 });
