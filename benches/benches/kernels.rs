@@ -14,7 +14,8 @@ use rotor_core::equations::{
     cir_width, coefficients, crack_compliance, phi, sir_width, stiffness, support_arm,
     widths_support_arm,
 };
-use rotor_core::rotor::{Rotor, RotorParameters};
+use rotor_core::input::RotorParameters;
+use rotor_core::jeffcott::rotor::Rotor;
 
 /// Small, so that one sample of the largest case takes some milliseconds.
 const SIZES: Sizes = Sizes {

@@ -9,9 +9,9 @@ use lanes::{ALL, Consumer, Kernel, Level, Pack, Simd, fold, store, stream};
 use rotor_core::equations::both_widths::along_crack_angle as widths_along_angle;
 use rotor_core::equations::both_widths_squared::along_crack_angle as squares_along_angle;
 use rotor_core::equations::{Coefficients, both_widths, widths_support_arm};
+use rotor_core::input::INPUTS;
 use rotor_core::quantity::Quantity;
-use rotor_core::rotor::INPUTS;
-use rotor_core::table::{self, TableError};
+use rotor_core::study::table::{self, TableError};
 
 use crate::column::{Column, FIRST_INPUT};
 use crate::inputs::{self, BLOCK, PHYSICAL, ROTOR, STREAM};
@@ -420,7 +420,7 @@ fn greatest_widths(bench: &mut Bench, max_rows: usize) -> Outcome {
     Ok(())
 }
 
-/// The twelve inputs of rotors around the paper's, within 5 % of each, in the order of [`rotor_core::rotor::INPUTS`]; then
+/// The twelve inputs of rotors around the paper's, within 5 % of each, in the order of [`rotor_core::input::INPUTS`]; then
 /// the factor of a half-open edge for every row.
 fn physical_columns() -> Vec<Column> {
     let p = ROTOR;

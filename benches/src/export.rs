@@ -7,7 +7,8 @@ use codegen::expand::derive;
 use codegen::interpret;
 use codegen::parse::module::ParameterKind;
 use codegen::show::ShowError;
-use rotor_core::rotor::{Rotor, RotorParameters};
+use rotor_core::input::RotorParameters;
+use rotor_core::jeffcott::rotor::Rotor;
 use serde_json::{Value, json};
 
 use crate::corpus::{FIELDS, Field};

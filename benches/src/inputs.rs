@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use rotor_core::rotor::RotorParameters;
+use rotor_core::input::RotorParameters;
 
 use crate::column::Column;
 

@@ -15,7 +15,7 @@ use criterion::{BenchmarkGroup, Criterion, Throughput};
 use parquet::arrow::ArrowWriter;
 use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
 use parquet::file::properties::WriterProperties;
-use rotor_core::rotor::{INPUTS, RotorParameters};
+use rotor_core::input::{INPUTS, RotorParameters};
 
 type Outcome = Result<(), Box<dyn Error>>;
 

@@ -3,7 +3,8 @@
 
 use std::f64::consts::TAU;
 
-use rotor_core::rotor::{Rotor, RotorParameters};
+use rotor_core::input::RotorParameters;
+use rotor_core::jeffcott::rotor::Rotor;
 
 use crate::table::shortest;
 
@@ -66,7 +67,7 @@ pub(crate) fn is_doubtful(p: &RotorParameters) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use rotor_core::rotor::INPUTS;
+    use rotor_core::input::INPUTS;
 
     use super::*;
 

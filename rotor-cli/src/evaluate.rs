@@ -10,9 +10,10 @@ use std::collections::VecDeque;
 use std::path::Path;
 use std::sync::mpsc;
 
+use rotor_core::input::RotorParameters;
+use rotor_core::jeffcott::rotor::Rotor;
 use rotor_core::quantity::{self, Quantity, Reason};
-use rotor_core::rotor::{Rotor, RotorParameters};
-use rotor_core::table::TableError;
+use rotor_core::study::table::TableError;
 
 use crate::command_line::EvaluateArguments;
 use crate::doubts::doubts;

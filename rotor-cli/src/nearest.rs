@@ -1,6 +1,6 @@
 //! What was probably meant by a name that nothing has.
 
-use rotor_core::rotor::INPUTS;
+use rotor_core::input::INPUTS;
 
 use crate::rotor_file::CHOICES;
 

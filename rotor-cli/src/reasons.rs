@@ -1,9 +1,9 @@
 //! Why a result is missing, in words that fit beside the results that are not.
 
 use rotor_core::equations::Coefficients;
+use rotor_core::error::StabilityError;
+use rotor_core::jeffcott::region::{self, NoEnds, NoRegion, RegionKind};
 use rotor_core::quantity::{Quantity, Reason};
-use rotor_core::region::{self, NoEnds, NoRegion, RegionKind};
-use rotor_core::stability::StabilityError;
 
 /// Why a quantity is missing.
 pub(crate) fn of_quantity(reason: &Reason) -> String {

@@ -11,10 +11,10 @@ use std::io::{self, Read as _};
 use std::ops::Range;
 use std::path::Path;
 
-use rotor_core::rotor::{
-    CrackEdge, CrackModel, INPUTS, InvalidRotor, NumericInput, Rotor, RotorParameters,
-    UnknownChoice,
+use rotor_core::input::{
+    CrackEdge, CrackModel, INPUTS, NumericInput, RotorParameters, UnknownChoice,
 };
+use rotor_core::jeffcott::rotor::{InvalidRotor, Rotor};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 

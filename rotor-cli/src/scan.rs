@@ -13,9 +13,11 @@ mod vary;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use rotor_core::rotor::{INPUTS, Rotor};
-use rotor_core::scan::{
-    Cancel, Control, Counts, Plan, Report, Sampling, Scan, ScanError, Stopped, Variable,
+use rotor_core::input::INPUTS;
+use rotor_core::input::Variable;
+use rotor_core::jeffcott::rotor::Rotor;
+use rotor_core::study::{
+    Cancel, Control, Counts, Plan, Report, Sampling, Scan, ScanError, Stopped,
 };
 
 use crate::command_line::ScanArguments;

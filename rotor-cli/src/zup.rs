@@ -2,9 +2,9 @@
 
 use std::fmt::Display;
 
-use rotor_core::region::{self, RegionKind};
-use rotor_core::rotor::Rotor;
-use rotor_core::zero_unstable_point::{
+use rotor_core::jeffcott::region::{self, RegionKind};
+use rotor_core::jeffcott::rotor::Rotor;
+use rotor_core::jeffcott::zup::{
     NoZeroUnstablePoint, ZeroUnstablePoint, zup_angle, zup_depth, zup_position,
 };
 

@@ -44,7 +44,7 @@ fn results_follow_the_columns_of_the_table_and_read_back_exactly() {
     assert_eq!(table[1][0..2], ["A, B", "0.2"]);
     assert_eq!(table[1][4], "");
     let width: f64 = table[1][2].parse().unwrap();
-    let rotor = rotor_core::rotor::Rotor::default();
+    let rotor = rotor_core::jeffcott::rotor::Rotor::default();
     assert_eq!(
         width,
         rotor_core::quantity::Quantity::SirWidth

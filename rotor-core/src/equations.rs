@@ -74,7 +74,7 @@ pub const SOURCE: &str = include_str!("equations.rs");
 ))]
 mod formulas {
     use super::terms::*;
-    use crate::rotor::RotorParameters;
+    use crate::input::RotorParameters;
     // ---- Crack compliance, Eq. (8) --------------------------------------------------------------
     /// Tada's root $\sqrt{\tan l / l}$ with $l = \pi\alpha/2$, shared by $F_1$, $F_2$ and $F_{III}$ (E5).
     pub fn tada_root(alpha: f64) -> f64 {

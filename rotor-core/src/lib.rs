@@ -5,23 +5,21 @@
 //! balance. This crate computes at which speeds, how far around them, how fast, and which disk
 //! asymmetry, crack angle, depth and position cancel each other.
 //!
-//! In the order in which a rotor passes:
-//!
 //! | module | what |
 //! |---|---|
-//! | [`rotor`] | the physical description in SI units, validated once |
+//! | [`input`] | the one table of inputs, in SI units, with what each allows |
 //! | [`equations`] | every closed form of the paper, each written once |
-//! | [`region`] | start, width, growth rate and exact ends of an unstable region |
-//! | [`zero_unstable_point`] | the crack angle, depth and position that close a region |
-//! | [`stability`] | the exact quartic, Hill's determinant and the monodromy matrix |
+//! | [`jeffcott`] | the paper's rotor: [`rotor`](jeffcott::rotor) validated once, its [`region`](jeffcott::region)s, the [`zup`](jeffcott::zup) at which they close, and their [`exact`](jeffcott::exact) ends and growth rates |
+//! | [`periodic`] | any linear periodic system: Hill's determinant and the monodromy matrix |
+//! | [`model`] | what makes a periodic system of a rotor |
 //! | [`quantity`] | every result by its name |
-//! | [`scan`] | quantities over grids and samples of rotors |
-//! | [`table`] | quantities of rotors that are given, a row each |
+//! | [`study`] | quantities over grids, samples and tables of rotors |
 //! | [`corrections`] | E1 to E13: what differs from the printed text, and why |
 //!
 //! ```
 //! use rotor_core::quantity::Quantity;
-//! use rotor_core::rotor::{Rotor, RotorParameters};
+//! use rotor_core::jeffcott::rotor::Rotor;
+//! use rotor_core::input::RotorParameters;
 //!
 //! let rotor = Rotor::new(RotorParameters { crack_depth_ratio: 0.1, ..RotorParameters::PAPER })?;
 //! let width = Quantity::SirWidth.evaluate(&rotor)?;
@@ -30,19 +28,16 @@
 //! ```
 #[doc = include_str!("corrections.md")]
 pub mod corrections {}
+mod batch;
 pub mod equations;
-mod extremes;
-mod kernel;
+pub mod error;
+pub mod input;
+pub mod jeffcott;
+pub mod model;
+pub mod periodic;
 pub mod quantity;
-pub mod region;
-mod roots;
-pub mod rotor;
-pub mod scan;
-pub mod stability;
-mod statistic;
-pub mod table;
-mod variable;
-pub mod zero_unstable_point;
+pub mod study;
+pub mod unit;
 
 /// The examples of README.md, compiled and run as documentation tests.
 #[cfg(doctest)]

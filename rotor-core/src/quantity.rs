@@ -7,9 +7,11 @@ use std::str::FromStr;
 use thiserror::Error;
 
 use crate::equations::{Coefficients, CrackCompliance, Stiffness};
-use crate::region::{self, NoEnds, NoRegion, RegionKind};
-use crate::rotor::{NoCoefficients, Rotor};
-use crate::stability::{self, Ends, StabilityError};
+use crate::error::StabilityError;
+use crate::jeffcott::exact::{self, Ends};
+use crate::jeffcott::region::{self, NoEnds, NoRegion, RegionKind};
+use crate::jeffcott::rotor::{NoCoefficients, Rotor};
+use crate::unit::TIMES_REFERENCE_SPEED;
 
 /// A result that a rotor has, or has at a speed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -70,9 +72,6 @@ type Row = (
     &'static str,
 );
 
-/// The unit of speeds, widths and growth rates: the reference speed $\omega_{st}$ of the rotor that they are of.
-pub const RELATIVE: &str = "× reference speed";
-
 /// One row for each quantity, in the order of the variants.
 #[rustfmt::skip]
 const TABLE: [Row; 22] = [
@@ -87,17 +86,17 @@ const TABLE: [Row; 22] = [
     (Quantity::Epsilon1, "epsilon_1", "ε₁", "", "relative variation of the transverse stiffness"),
     (Quantity::Epsilon12, "epsilon_12", "ε₁₂", "", "relative variation of the coupling stiffness"),
     (Quantity::Epsilon2, "epsilon_2", "ε₂", "", "relative variation of the tilting stiffness"),
-    (Quantity::SirStart, "sir_start", "Ω_s", RELATIVE, "start of the simple instability region, Eq. (15)"),
-    (Quantity::CirStart, "cir_start", "Ω_c", RELATIVE, "start of the combination instability region, Eq. (16)"),
-    (Quantity::SirWidth, "sir_width", "λ_s", RELATIVE, "width of the simple instability region, Eq. (31)"),
-    (Quantity::CirWidth, "cir_width", "λ_c", RELATIVE, "width of the combination instability region, Eq. (31)"),
+    (Quantity::SirStart, "sir_start", "Ω_s", TIMES_REFERENCE_SPEED, "start of the simple instability region, Eq. (15)"),
+    (Quantity::CirStart, "cir_start", "Ω_c", TIMES_REFERENCE_SPEED, "start of the combination instability region, Eq. (16)"),
+    (Quantity::SirWidth, "sir_width", "λ_s", TIMES_REFERENCE_SPEED, "width of the simple instability region, Eq. (31)"),
+    (Quantity::CirWidth, "cir_width", "λ_c", TIMES_REFERENCE_SPEED, "width of the combination instability region, Eq. (31)"),
     (Quantity::SirZupAsymmetry, "sir_zup_asymmetry", "Δ_d,s", "", "disk asymmetry that closes the simple region at φ = π/2, Eq. (32)"),
     (Quantity::CirZupAsymmetry, "cir_zup_asymmetry", "Δ_d,c", "", "disk asymmetry that closes the combination region at φ = 0, Eq. (32)"),
-    (Quantity::SirExactLower, "sir_exact_lower", "Ω_s,lower", RELATIVE, "exact lower end of the simple instability region"),
-    (Quantity::SirExactUpper, "sir_exact_upper", "Ω_s,upper", RELATIVE, "exact upper end of the simple instability region"),
-    (Quantity::CirExactLower, "cir_exact_lower", "Ω_c,lower", RELATIVE, "exact lower end of the combination instability region"),
-    (Quantity::CirExactUpper, "cir_exact_upper", "Ω_c,upper", RELATIVE, "exact upper end of the combination instability region"),
-    (Quantity::GrowthRate, "growth_rate", "μ", RELATIVE, "exact growth rate at a speed, 0 where the motion is stable"),
+    (Quantity::SirExactLower, "sir_exact_lower", "Ω_s,lower", TIMES_REFERENCE_SPEED, "exact lower end of the simple instability region"),
+    (Quantity::SirExactUpper, "sir_exact_upper", "Ω_s,upper", TIMES_REFERENCE_SPEED, "exact upper end of the simple instability region"),
+    (Quantity::CirExactLower, "cir_exact_lower", "Ω_c,lower", TIMES_REFERENCE_SPEED, "exact lower end of the combination instability region"),
+    (Quantity::CirExactUpper, "cir_exact_upper", "Ω_c,upper", TIMES_REFERENCE_SPEED, "exact upper end of the combination instability region"),
+    (Quantity::GrowthRate, "growth_rate", "μ", TIMES_REFERENCE_SPEED, "exact growth rate at a speed, 0 where the motion is stable"),
 ];
 
 impl Quantity {
@@ -225,7 +224,7 @@ pub fn evaluate(quantities: &[Quantity], rotor: &Rotor) -> Vec<Result<f64, Reaso
 /// The same at a speed, in units of the reference speed, for quantities that [need one](Quantity::needs_speed).
 ///
 /// ```
-/// use rotor_core::{quantity::{Quantity, evaluate_at}, rotor::Rotor};
+/// use rotor_core::{quantity::{Quantity, evaluate_at}, jeffcott::rotor::Rotor};
 /// let rotor = Rotor::default();
 /// let [lower, upper] = [Quantity::SirExactLower, Quantity::SirExactUpper].map(|end| end.evaluate(&rotor));
 /// let inside = 0.5 * (lower? + upper?);
@@ -320,7 +319,7 @@ impl<'a> Shared<'a> {
             Quantity::CirExactUpper => self.ends(Combination, &self.cir_ends)?.upper,
             Quantity::GrowthRate => {
                 let speed = speed.ok_or(Reason::NoSpeed(quantity))?;
-                stability::growth_rate(&self.coefficients()?, speed)?
+                exact::growth_rate(&self.coefficients()?, speed)?
             }
         })
     }

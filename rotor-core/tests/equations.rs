@@ -7,9 +7,9 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 use nalgebra::Complex;
 use proptest::prelude::*;
 use rotor_core::equations::{self, Coefficients};
-use rotor_core::region::{self, RegionKind};
-use rotor_core::rotor::Rotor;
-use rotor_core::stability;
+use rotor_core::jeffcott::exact;
+use rotor_core::jeffcott::region::{self, RegionKind};
+use rotor_core::jeffcott::rotor::Rotor;
 
 prop_compose! {
     fn coefficients()(
@@ -253,7 +253,7 @@ fn excess_growth(kind: RegionKind, c: &Coefficients, part: f64, small: f64) -> f
     let detuning = 0.5 * part * region::width(kind, &c).unwrap();
     let speed = region::start(kind, &c).unwrap() + detuning;
     let approximate = region::growth_rate(kind, &c, detuning).unwrap();
-    let exact = stability::growth_rate(&c, speed).unwrap();
+    let exact = exact::growth_rate(&c, speed).unwrap();
     (approximate - exact) / region::growth_rate(kind, &c, 0.0).unwrap()
 }
 

@@ -5,9 +5,11 @@ use std::f64::consts::FRAC_PI_2;
 
 use nalgebra::{DMatrix, DVector};
 use rotor_core::equations::Coefficients;
-use rotor_core::region::{self, RegionKind};
-use rotor_core::rotor::Rotor;
-use rotor_core::stability::{PeriodicSystem, combination_ends, growth_rate, hill, monodromy};
+use rotor_core::jeffcott::exact::{combination_ends, growth_rate};
+use rotor_core::jeffcott::region::{self, RegionKind};
+use rotor_core::jeffcott::rotor::Rotor;
+use rotor_core::model::Model;
+use rotor_core::periodic::{hill, monodromy};
 
 type TestResult = Result<(), Box<dyn Error>>;
 
@@ -67,7 +69,7 @@ fn the_growth_rates_of_flat_disks_agree() -> TestResult {
                 let speed = ends.lower + part * ends.width();
                 let exact = growth_rate(&c, speed)?;
                 assert_eq!(exact > 0.0, (0.0..=1.0).contains(&part), "{beta} {part}");
-                let system = PeriodicSystem::rotor(&c, speed)?;
+                let system = c.system(speed)?;
                 let others = [
                     hill::growth_rate(&system, 1)?,
                     growth_in_the_rotors_frame(&c, speed)?,

@@ -2,9 +2,12 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use rotor_core::equations::{self, Coefficients};
-use rotor_core::region::{self, RegionKind};
-use rotor_core::rotor::{CrackModel, Rotor, RotorParameters};
-use rotor_core::stability;
+use rotor_core::input::{CrackModel, RotorParameters};
+use rotor_core::jeffcott::exact;
+use rotor_core::jeffcott::region::{self, RegionKind};
+use rotor_core::jeffcott::rotor::Rotor;
+use rotor_core::model::Model;
+use rotor_core::periodic::hill;
 
 #[test]
 fn uncoupled_rotors_have_generated_widths() {
@@ -45,16 +48,16 @@ fn an_angle_of_any_size_counts() {
             let both = |f: &dyn Fn(&Coefficients) -> f64| [f(&huge), f(&small)];
             for [found, expected] in [
                 both(&|c| equations::phi::value(0.3, speed, c)),
-                both(&|c| stability::growth_rate(c, speed).unwrap()),
-                both(&|c| stability::simple_region_ends(c).unwrap()[0]),
+                both(&|c| exact::growth_rate(c, speed).unwrap()),
+                both(&|c| exact::simple_region_ends(c).unwrap()[0]),
                 both(&|c| {
                     region::exact_ends(RegionKind::Combination, c)
                         .unwrap()
                         .upper
                 }),
                 both(&|c| {
-                    let system = stability::PeriodicSystem::rotor(c, speed).unwrap();
-                    stability::hill::growth_rate(&system, 1).unwrap()
+                    let system = c.system(speed).unwrap();
+                    hill::growth_rate(&system, 1).unwrap()
                 }),
             ] {
                 assert!(

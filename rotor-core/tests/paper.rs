@@ -8,10 +8,11 @@
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
 use approx::assert_relative_eq;
+use rotor_core::input::RotorParameters;
+use rotor_core::jeffcott::region::{self, RegionKind};
+use rotor_core::jeffcott::rotor::Rotor;
+use rotor_core::jeffcott::zup::{zup_depth, zup_position};
 use rotor_core::quantity::{Quantity, evaluate};
-use rotor_core::region::{self, RegionKind};
-use rotor_core::rotor::{Rotor, RotorParameters};
-use rotor_core::zero_unstable_point::{zup_depth, zup_position};
 
 fn paper() -> Rotor {
     Rotor::new(RotorParameters::PAPER).expect("the paper's rotor is valid")

@@ -4,8 +4,10 @@ use std::error::Error;
 
 use approx::assert_relative_eq;
 use nalgebra::DMatrix;
-use rotor_core::rotor::Rotor;
-use rotor_core::stability::{Harmonic, PeriodicSystem, StabilityError, hill, monodromy};
+use rotor_core::error::StabilityError;
+use rotor_core::jeffcott::rotor::Rotor;
+use rotor_core::model::Model;
+use rotor_core::periodic::{Harmonic, PeriodicSystem, hill, monodromy};
 
 type TestResult = Result<(), Box<dyn Error>>;
 
@@ -112,7 +114,7 @@ fn the_damped_asymmetric_shaft_ends_where_its_closed_form_does() -> TestResult {
 
 #[test]
 fn periodic_systems_are_checked() -> TestResult {
-    let system = PeriodicSystem::rotor(&Rotor::default().coefficients()?, 1.0)?;
+    let system = Rotor::default().coefficients()?.system(1.0)?;
     for harmonics in [0, 1001, usize::MAX] {
         assert!(hill::growth_rate(&system, harmonics).is_err());
     }

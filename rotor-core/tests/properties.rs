@@ -10,11 +10,12 @@ use std::mem::discriminant;
 
 use proptest::prelude::*;
 use rotor_core::equations::{self, Coefficients};
+use rotor_core::input::{CrackEdge, CrackModel, RotorParameters};
+use rotor_core::jeffcott::exact::simple_region_ends;
+use rotor_core::jeffcott::region::{self, RegionKind};
+use rotor_core::jeffcott::rotor::Rotor;
+use rotor_core::jeffcott::zup::{ZeroUnstablePoint, zup_angle, zup_depth, zup_position};
 use rotor_core::quantity::{Quantity, evaluate};
-use rotor_core::region::{self, RegionKind};
-use rotor_core::rotor::{CrackEdge, CrackModel, Rotor, RotorParameters};
-use rotor_core::stability::simple_region_ends;
-use rotor_core::zero_unstable_point::{ZeroUnstablePoint, zup_angle, zup_depth, zup_position};
 
 const SIMPLE_AND_COMBINATION: [RegionKind; 2] = [RegionKind::Simple, RegionKind::Combination];
 

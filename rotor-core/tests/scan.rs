@@ -4,9 +4,10 @@
 use std::f64::consts::PI;
 use std::sync::Mutex;
 
+use rotor_core::input::NumericInput;
+use rotor_core::jeffcott::rotor::Rotor;
 use rotor_core::quantity::Quantity;
-use rotor_core::rotor::{NumericInput, Rotor};
-use rotor_core::scan::{
+use rotor_core::study::{
     Axis, Cancel, Chunk, Control, Counts, Distribution, Plan, Reduced, Reduction, Sampling, Scan,
     ScanError, Sink, Statistic, Stopped,
 };

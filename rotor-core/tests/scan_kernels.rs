@@ -1,9 +1,11 @@
 //! Scans along every input against the quantities computed point by point.
 #![allow(clippy::unwrap_used, reason = "helpers of tests fail by panicking too")]
 
+use rotor_core::input::Variable;
+use rotor_core::input::{CrackModel, INPUTS, NumericInput, RotorParameters};
+use rotor_core::jeffcott::rotor::Rotor;
 use rotor_core::quantity::{self, Quantity};
-use rotor_core::rotor::{CrackModel, INPUTS, NumericInput, Rotor, RotorParameters};
-use rotor_core::scan::{Axis, Distribution, Plan, Sampling, Scan, Variable};
+use rotor_core::study::{Axis, Distribution, Plan, Sampling, Scan};
 
 const WIDTHS: [Quantity; 2] = [Quantity::SirWidth, Quantity::CirWidth];
 const ANGLES: [f64; 2] = [0.4, 1.1];

@@ -1,9 +1,11 @@
 //! Reductions against the values of the points: along every input, of every quantity, over axes inside and outside.
 #![allow(clippy::unwrap_used, reason = "helpers of tests fail by panicking too")]
 
+use rotor_core::input::Variable;
+use rotor_core::input::{INPUTS, NumericInput, RotorParameters};
+use rotor_core::jeffcott::rotor::Rotor;
 use rotor_core::quantity::Quantity;
-use rotor_core::rotor::{INPUTS, NumericInput, Rotor, RotorParameters};
-use rotor_core::scan::{Axis, Control, Plan, Reduced, Reduction, Scan, Statistic, Variable};
+use rotor_core::study::{Axis, Control, Plan, Reduced, Reduction, Scan, Statistic};
 
 const WIDTHS: [Quantity; 2] = [Quantity::SirWidth, Quantity::CirWidth];
 const BINS: u32 = 8;
@@ -258,7 +260,7 @@ fn of_three_axes_any_are_reduced_over_several_chunks() {
         });
     let scan = scan.quantity(Quantity::CirWidth);
     let values = scanned(&scan.clone().plan().unwrap(), 0);
-    assert!(values.len() as u64 > rotor_core::scan::POINTS_PER_CHUNK);
+    assert!(values.len() as u64 > rotor_core::study::POINTS_PER_CHUNK);
     for reduced_axes in [
         vec![0],
         vec![1],

@@ -1,13 +1,15 @@
 //! Scans along the speed, inside and outside of other axes, against growth rates point by point.
 #![allow(clippy::unwrap_used, reason = "helpers of tests fail by panicking too")]
 
+use rotor_core::input::Variable;
+use rotor_core::input::{NumericInput, RotorParameters};
+use rotor_core::jeffcott::exact;
+use rotor_core::jeffcott::rotor::Rotor;
 use rotor_core::quantity::{self, Quantity, Reason};
-use rotor_core::rotor::{NumericInput, Rotor, RotorParameters};
-use rotor_core::scan::{
-    Axis, Control, Distribution, Plan, Reduction, Sampling, Scan, ScanError, Statistic, Variable,
+use rotor_core::study::table::{self, Column};
+use rotor_core::study::{
+    Axis, Control, Distribution, Plan, Reduction, Sampling, Scan, ScanError, Statistic,
 };
-use rotor_core::stability;
-use rotor_core::table::{self, Column};
 
 const ASKED: [Quantity; 3] = [
     Quantity::GrowthRate,
@@ -107,7 +109,7 @@ fn the_growth_rate_is_above_zero_between_the_exact_ends_and_nowhere_else() {
     let c = rotor.coefficients().unwrap();
     for (index, found) in (0..).zip(found) {
         let speed = speeds.value(0, index);
-        assert_eq!(*found, stability::growth_rate(&c, speed).ok());
+        assert_eq!(*found, exact::growth_rate(&c, speed).ok());
         let within = regions
             .iter()
             .any(|[lower, upper]| (*lower..=*upper).contains(&speed));

@@ -5,11 +5,13 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
 use approx::assert_relative_eq;
 use rotor_core::equations::Coefficients;
-use rotor_core::region::{self, RegionKind, exact_ends};
-use rotor_core::stability::{
-    Ends, PeriodicSystem, StabilityError, combination_ends, growth_rate, hill, monodromy,
-    simple_region_ends, squared_offsets, whirl_frequencies,
+use rotor_core::error::StabilityError;
+use rotor_core::jeffcott::exact::{
+    Ends, combination_ends, growth_rate, simple_region_ends, squared_offsets, whirl_frequencies,
 };
+use rotor_core::jeffcott::region::{self, RegionKind, exact_ends};
+use rotor_core::model::Model;
+use rotor_core::periodic::{hill, monodromy};
 
 type TestResult = Result<(), Box<dyn Error>>;
 
@@ -383,7 +385,7 @@ fn the_three_growth_rates_agree() -> TestResult {
             1.3 * combination.upper,
         ] {
             let exact = growth_rate(&c, speed)?;
-            let system = PeriodicSystem::rotor(&c, speed)?;
+            let system = c.system(speed)?;
             by_hill = by_hill.max((hill::growth_rate(&system, 1)? - exact).abs());
             by_monodromy =
                 by_monodromy.max((monodromy::growth_rate(&system, 1e-13)? - exact).abs());

@@ -8,7 +8,8 @@ use rotor_core::equations::both_widths::{
     Columns, along_crack_angle, along_disk_asymmetry, columns,
 };
 use rotor_core::equations::{Coefficients, cir_width, phi, sir_width};
-use rotor_core::rotor::{Rotor, RotorParameters};
+use rotor_core::input::RotorParameters;
+use rotor_core::jeffcott::rotor::Rotor;
 
 const POINTS: usize = 37;
 

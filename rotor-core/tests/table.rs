@@ -2,9 +2,10 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests fail by panicking too")]
 
 use proptest::prelude::*;
+use rotor_core::input::{CrackEdge, CrackModel, INPUTS, NumericInput, RotorParameters};
+use rotor_core::jeffcott::rotor::Rotor;
 use rotor_core::quantity::{self, Quantity};
-use rotor_core::rotor::{CrackEdge, CrackModel, INPUTS, NumericInput, Rotor, RotorParameters};
-use rotor_core::table::{Column, TableError, evaluate};
+use rotor_core::study::table::{Column, TableError, evaluate};
 
 fn input(name: &str) -> &'static NumericInput {
     NumericInput::find(name).unwrap()

@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use rotor_core::equations::Coefficients;
-use rotor_core::rotor::{INPUTS, RotorParameters};
+use rotor_core::input::{INPUTS, RotorParameters};
 
 /// A row of a table: cells by the names of their columns.
 pub type Record = BTreeMap<String, String>;

@@ -3,8 +3,9 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use rotor_core::region::{self, RegionKind};
-use rotor_core::rotor::{Rotor, RotorParameters};
+use rotor_core::input::RotorParameters;
+use rotor_core::jeffcott::region::{self, RegionKind};
+use rotor_core::jeffcott::rotor::Rotor;
 use rotor_tests::relative_error;
 
 /// Relative differences are taken where the region is at least this share of its widest over the crack's angle: near a

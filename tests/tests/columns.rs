@@ -1,7 +1,8 @@
 //! The forms over columns give the scalar forms' numbers, bit by bit: both have the same sine and cosine.
 
 use rotor_core::equations::{self, Coefficients};
-use rotor_core::rotor::{Rotor, RotorParameters};
+use rotor_core::input::RotorParameters;
+use rotor_core::jeffcott::rotor::Rotor;
 use rotor_tests::{parameters, table};
 
 const EDGE_FACTOR: f64 = 32.0;

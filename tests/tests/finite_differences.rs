@@ -2,7 +2,8 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use rotor_core::equations::{self, Coefficients};
-use rotor_core::rotor::{NumericInput, Rotor, RotorParameters};
+use rotor_core::input::{NumericInput, RotorParameters};
+use rotor_core::jeffcott::rotor::Rotor;
 use rotor_tests::{parameters, relative_error, table};
 
 /// The frequency equations' partials have to agree to this, as a share of the largest one.

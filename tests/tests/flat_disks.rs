@@ -1,7 +1,7 @@
 //! The exact ends of combination regions of disks so flat that β nearly is 2, against 130 digits.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use rotor_core::region::{self, RegionKind};
+use rotor_core::jeffcott::region::{self, RegionKind};
 use rotor_tests::{coefficients, number, relative_error, table};
 
 #[test]

@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use rotor_core::equations::Coefficients;
-use rotor_core::stability::growth_rate;
+use rotor_core::jeffcott::exact::growth_rate;
 use rotor_tests::{coefficients, number, table};
 
 #[test]

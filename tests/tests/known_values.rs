@@ -3,9 +3,11 @@
 
 use nalgebra::DMatrix;
 use rotor_core::equations::Coefficients;
-use rotor_core::region::{self, RegionKind};
-use rotor_core::rotor::{Rotor, RotorParameters};
-use rotor_core::stability::{Ends, Harmonic, PeriodicSystem, hill, monodromy};
+use rotor_core::input::RotorParameters;
+use rotor_core::jeffcott::exact::Ends;
+use rotor_core::jeffcott::region::{self, RegionKind};
+use rotor_core::jeffcott::rotor::Rotor;
+use rotor_core::periodic::{Harmonic, PeriodicSystem, hill, monodromy};
 use rotor_tests::{Record, number, relative_error, table};
 
 /// The tables give ten digits or more; a boundary that is looked for costs a few.

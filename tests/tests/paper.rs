@@ -4,7 +4,7 @@
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
 use rotor_core::equations::{self, Coefficients, Stiffness};
-use rotor_core::rotor::RotorParameters;
+use rotor_core::input::RotorParameters;
 use rotor_tests::relative_error;
 
 /// Every number has to be within this, relatively.

@@ -4,8 +4,9 @@
 //! (its derivatives, its fits of the crack's integrals, its rewriting of the formulas) is on both sides.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use rotor_core::region::{self, RegionKind};
-use rotor_core::rotor::{CrackEdge, CrackModel, INPUTS, Rotor};
+use rotor_core::input::{CrackEdge, CrackModel, INPUTS};
+use rotor_core::jeffcott::region::{self, RegionKind};
+use rotor_core::jeffcott::rotor::Rotor;
 use rotor_tests::{Record, number, parameters, relative_error, table};
 
 /// The partials have to agree to this, relative to the larger of the partial and the width over the input.

@@ -21,7 +21,7 @@ use rotor_benches::inputs;
 use rotor_core::equations::{
     lateral_integral, opening_integral, sliding_integral, tearing_integral,
 };
-use rotor_core::rotor::INPUTS;
+use rotor_core::input::INPUTS;
 
 fn main() -> ExitCode {
     let sizes: Vec<usize> = std::env::args()

@@ -1,7 +1,7 @@
 //! Which column of a table is which input, and which are carried through.
 
 use csv::ByteRecord;
-use rotor_core::rotor::{NumericInput, RotorParameters};
+use rotor_core::input::{NumericInput, RotorParameters};
 
 use super::table::Row;
 use crate::failure::Failure;

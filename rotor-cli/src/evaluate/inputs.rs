@@ -6,9 +6,9 @@ use arrow_array::cast::AsArray;
 use arrow_array::types::Float64Type;
 use arrow_array::{Array, RecordBatch};
 use arrow_schema::DataType;
+use rotor_core::input::{NumericInput, RotorParameters};
 use rotor_core::quantity::Quantity;
-use rotor_core::rotor::{NumericInput, RotorParameters};
-use rotor_core::table::{self, Column, TableError};
+use rotor_core::study::table::{self, Column, TableError};
 
 use super::columns::Columns;
 use super::source::{Piece, Read, text};

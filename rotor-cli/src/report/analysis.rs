@@ -1,8 +1,8 @@
 //! Everything that a report states about one rotor, computed once.
 
 use rotor_core::equations::{Coefficients, CrackCompliance};
-use rotor_core::region::{self, RegionKind};
-use rotor_core::stability::{self, Ends};
+use rotor_core::jeffcott::exact::{self, Ends};
+use rotor_core::jeffcott::region::{self, RegionKind};
 
 use super::hill::{self, HillEnds, NoHillEnds};
 use crate::failure::Failure;
@@ -101,7 +101,7 @@ impl Analysis {
     /// Where the rotor has no coefficients, or a region no start, in double precision.
     pub(crate) fn new(named: NamedRotor) -> Result<Self, Failure> {
         let rotor = &named.rotor;
-        let failed = |error: rotor_core::rotor::NoCoefficients| {
+        let failed = |error: rotor_core::jeffcott::rotor::NoCoefficients| {
             Failure::input(format!("{}: {error}", named.name))
         };
         let compliance = rotor.compliance().map_err(failed)?;
@@ -136,7 +136,7 @@ impl Analysis {
 /// The speed from which on every speed is unstable. Where |Δ_d| > |β − 1| the last end of the simple regions has no
 /// partner; other regions, of which the ends are `known`, may lie inside that one or lead into it.
 fn unstable_from(c: &Coefficients, known: &[(RegionKind, Ends)]) -> Option<f64> {
-    let simple = stability::simple_region_ends(c).ok()?;
+    let simple = exact::simple_region_ends(c).ok()?;
     let (last, others) = simple.split_last()?;
     if simple.len() % 2 == 0 {
         return None;
@@ -154,7 +154,7 @@ fn unstable_from(c: &Coefficients, known: &[(RegionKind, Ends)]) -> Option<f64> 
         let inner = below.iter().chain([last]).filter(|&&end| end > lower);
         let beside = inner.flat_map(|end| [end * (1.0 - BESIDE), end * (1.0 + BESIDE)]);
         grid.chain(beside)
-            .all(|speed| stability::growth_rate(c, speed).is_ok_and(|rate| rate > 0.0))
+            .all(|speed| exact::growth_rate(c, speed).is_ok_and(|rate| rate > 0.0))
     };
     let lower = below.iter().copied().filter(|&end| all_grow_from(end));
     Some(lower.fold(*last, f64::min))
@@ -241,8 +241,9 @@ mod tests {
     use std::path::Path;
 
     use rayon::prelude::*;
-    use rotor_core::rotor::{INPUTS, Rotor, RotorParameters};
-    use rotor_core::stability::StabilityError;
+    use rotor_core::error::StabilityError;
+    use rotor_core::input::{INPUTS, RotorParameters};
+    use rotor_core::jeffcott::rotor::Rotor;
 
     fn analysis(rotor: Rotor) -> Analysis {
         let named = NamedRotor {
@@ -333,11 +334,11 @@ mod tests {
             let c = &analysis.coefficients;
             for factor in [1.001, 2.0, 100.0] {
                 assert!(
-                    stability::growth_rate(c, factor * from).unwrap() > 0.0,
+                    exact::growth_rate(c, factor * from).unwrap() > 0.0,
                     "{beta}"
                 );
             }
-            assert_eq!(stability::growth_rate(c, 0.999 * from), Ok(0.0), "{beta}");
+            assert_eq!(exact::growth_rate(c, 0.999 * from), Ok(0.0), "{beta}");
         }
         for beta in [0.5, 0.79, 1.21, 2.0] {
             assert_eq!(inertia_ratio(beta).unstable_from, None, "{beta}");
@@ -372,7 +373,7 @@ mod tests {
         assert_eq!(*kind, RegionKind::Combination);
         let ends = combination.as_ref().unwrap().exact.clone().unwrap();
         assert_eq!(analysis.unstable_from, Some(ends.lower));
-        let simple = stability::simple_region_ends(&analysis.coefficients).unwrap();
+        let simple = exact::simple_region_ends(&analysis.coefficients).unwrap();
         assert!(simple[2] > ends.upper, "a gap without a stable speed");
     }
 

@@ -7,8 +7,9 @@ mod widths;
 mod zero_unstable_points;
 
 use rotor_core::equations::Coefficients;
-use rotor_core::region::{self, NoRegion, RegionKind};
-use rotor_core::rotor::{Rotor, RotorParameters};
+use rotor_core::input::RotorParameters;
+use rotor_core::jeffcott::region::{self, NoRegion, RegionKind};
+use rotor_core::jeffcott::rotor::Rotor;
 
 use super::analysis::Analysis;
 use crate::figure::{Axis, Curve, Dash, Figure, Mark, Panel, Plot, Ticks};
@@ -220,7 +221,7 @@ fn width_symbol(kind: RegionKind) -> &'static str {
 mod tests {
     use super::*;
     use crate::rotor_file::NamedRotor;
-    use rotor_core::rotor::CrackModel;
+    use rotor_core::input::CrackModel;
 
     fn drawn(rotor: Rotor) -> Vec<Figure> {
         let named = NamedRotor {

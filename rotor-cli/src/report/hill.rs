@@ -5,7 +5,10 @@
 //! where to look, and how wide a gap to a neighbour may be; what is found there does not depend on them.
 
 use rotor_core::equations::Coefficients;
-use rotor_core::stability::{self, Ends, PeriodicSystem, StabilityError, hill};
+use rotor_core::error::StabilityError;
+use rotor_core::jeffcott::exact::{self, Ends};
+use rotor_core::model::Model;
+use rotor_core::periodic::hill;
 use thiserror::Error;
 
 /// Harmonics on each side; this system needs one, with none the instability is missed.
@@ -117,7 +120,7 @@ pub(crate) fn ends_near(c: &Coefficients, exact: Ends) -> Result<HillEnds, NoHil
     let growth = growth_rate(c, middle)?;
     let tells = TELLS * magnitude(middle);
     if growth < tells {
-        let exact = stability::growth_rate(c, middle)?;
+        let exact = exact::growth_rate(c, middle)?;
         if exact > 2.0 * tells {
             return Err(NoHillEnds::Contradiction {
                 speed: middle,
@@ -163,7 +166,7 @@ fn end_near(rates: &Rates<'_>, inside: Sample, exact: f64, width: f64) -> Result
     for part in BEYOND {
         let speed = exact + part * outwards;
         let hill = growth_rate(rates.c, speed)?;
-        let exact = stability::growth_rate(rates.c, speed)?;
+        let exact = exact::growth_rate(rates.c, speed)?;
         if (hill - exact).abs() > 0.5 * hill {
             return Err(NoHillEnds::Contradiction { speed, hill, exact });
         }
@@ -236,7 +239,7 @@ fn end_within(rates: &Rates<'_>, inside: Sample, step: f64, reach: f64) -> Resul
 
 /// The growth rate by Hill's method.
 fn growth_rate(c: &Coefficients, speed: f64) -> Result<f64, StabilityError> {
-    hill::growth_rate(&PeriodicSystem::rotor(c, speed)?, HARMONICS)
+    hill::growth_rate(&c.system(speed)?, HARMONICS)
 }
 
 /// The end between the last of the samples and a speed beyond it.
@@ -295,8 +298,9 @@ fn extrapolated(samples: &[Sample]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use rotor_core::region::{self, RegionKind};
-    use rotor_core::rotor::{Rotor, RotorParameters};
+    use rotor_core::input::RotorParameters;
+    use rotor_core::jeffcott::region::{self, RegionKind};
+    use rotor_core::jeffcott::rotor::Rotor;
 
     fn coefficients(change: impl FnOnce(&mut RotorParameters)) -> Coefficients {
         Rotor::default()

@@ -2,10 +2,10 @@
 
 use std::f64::consts::PI;
 
+use rotor_core::input::INPUTS;
+use rotor_core::jeffcott::exact::Ends;
+use rotor_core::jeffcott::region::RegionKind;
 use rotor_core::quantity::Quantity;
-use rotor_core::region::RegionKind;
-use rotor_core::rotor::INPUTS;
-use rotor_core::stability::Ends;
 
 use super::analysis::{Analysis, Region};
 use crate::table::{Cell, Table, shortest, significant};

@@ -4,7 +4,8 @@ use std::io::IsTerminal as _;
 use std::ops::Range;
 
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
-use rotor_core::rotor::{InvalidRotor, NumericInput, UnknownChoice};
+use rotor_core::input::{NumericInput, UnknownChoice};
+use rotor_core::jeffcott::rotor::InvalidRotor;
 
 use crate::nearest::{input_names, meant, nearest};
 use crate::shown::{brief, shortened};

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use rotor_core::rotor::{CrackEdge, CrackModel, INPUTS, RotorParameters};
+use rotor_core::input::{CrackEdge, CrackModel, INPUTS, RotorParameters};
 
 use super::SECTIONS;
 use crate::table::shortest;

@@ -9,7 +9,7 @@ use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-use rotor_core::scan::{Chunk, Counts, Sink};
+use rotor_core::study::{Chunk, Counts, Sink};
 
 use super::points;
 use crate::failure::Failure;

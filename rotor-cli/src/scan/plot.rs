@@ -5,10 +5,13 @@
 
 use std::path::Path;
 
-use rotor_core::quantity::{Quantity, RELATIVE};
-use rotor_core::region::RegionKind;
-use rotor_core::rotor::{Rotor, RotorParameters};
-use rotor_core::scan::{self, Plan, Scan, Variable};
+use rotor_core::input::RotorParameters;
+use rotor_core::input::Variable;
+use rotor_core::jeffcott::region::RegionKind;
+use rotor_core::jeffcott::rotor::Rotor;
+use rotor_core::quantity::Quantity;
+use rotor_core::study::{self, Plan, Scan};
+use rotor_core::unit::TIMES_REFERENCE_SPEED;
 
 use crate::failure::Failure;
 use crate::figure::{Axis, Curve, Dash, Figure, FigureError, Map, Mark, Panel, Plot, Ticks};
@@ -94,7 +97,7 @@ struct Shown {
 }
 
 impl Shown {
-    fn new(axis: &scan::Axis, most: usize) -> Self {
+    fn new(axis: &study::Axis, most: usize) -> Self {
         let last = axis.len() - 1;
         let count = axis.len().min(most as u64);
         let pick = |k: u64| {
@@ -116,13 +119,15 @@ impl Shown {
         Self { columns, values }
     }
 
-    fn axis(&self) -> Result<scan::Axis, Failure> {
+    fn axis(&self) -> Result<study::Axis, Failure> {
         let columns = self.columns.iter().enumerate().map(|(column, variable)| {
             let values = self.values.iter().map(|values| values[column]).collect();
-            scan::Axis::listed(*variable, values)
+            study::Axis::listed(*variable, values)
         });
         let columns = columns.collect::<Result<_, _>>();
-        columns.and_then(scan::Axis::linked).map_err(super::of_scan)
+        columns
+            .and_then(study::Axis::linked)
+            .map_err(super::of_scan)
     }
 
     fn first(&self) -> Vec<f64> {
@@ -170,7 +175,7 @@ fn axis(symbol: &str, unit: &str) -> Axis {
 fn labelled(symbol: &str, unit: &str) -> String {
     match unit {
         "" => format!("{symbol} [–]"),
-        RELATIVE => format!("{symbol} / ω_{{st}} [–]"),
+        TIMES_REFERENCE_SPEED => format!("{symbol} / ω_{{st}} [–]"),
         unit => format!("{symbol} [{unit}]"),
     }
 }
@@ -186,7 +191,7 @@ fn markup(symbol: &str) -> String {
 }
 
 /// The axes that the picture has, thinned out as its kind needs.
-fn shown(long: &[&scan::Axis], single: &[Shown]) -> Vec<Shown> {
+fn shown(long: &[&study::Axis], single: &[Shown]) -> Vec<Shown> {
     let (most_curve, most_map, most_maps) = MOST;
     let count = long.len();
     let most = |index: usize| match count {
@@ -205,7 +210,7 @@ fn shown(long: &[&scan::Axis], single: &[Shown]) -> Vec<Shown> {
 
 fn figure(plan: &Plan, rotor: &str) -> Result<Figure, Failure> {
     let axes = plan.space().axes();
-    if axes.iter().any(scan::Axis::is_sampled) {
+    if axes.iter().any(study::Axis::is_sampled) {
         return Err(Failure::input(
             "--plot: a sample has no order along which it could be drawn; reduce it to a histogram, or give ranges (--vary)",
         ));

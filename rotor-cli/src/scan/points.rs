@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use arrow_array::{ArrayRef, Float64Array, RecordBatch};
 use arrow_schema::SchemaRef;
-use rotor_core::rotor::INPUTS;
-use rotor_core::scan::{Axis, Chunk, Plan};
+use rotor_core::input::INPUTS;
+use rotor_core::study::{Axis, Chunk, Plan};
 use serde_json::json;
 
 use crate::files::{Format, Layout, number_field, schema};

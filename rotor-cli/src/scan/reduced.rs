@@ -6,7 +6,8 @@ use std::sync::Arc;
 
 use arrow_array::{ArrayRef, Float64Array, RecordBatch, StringArray};
 use arrow_schema::{DataType, Field};
-use rotor_core::scan::{Axis, Plan, Reduced, Statistic, Variable};
+use rotor_core::input::Variable;
+use rotor_core::study::{Axis, Plan, Reduced, Statistic};
 
 use crate::files::{Format, Layout, number_field, schema};
 use crate::table::{Cell, Table};

@@ -1,6 +1,6 @@
 //! The grammar of `--reduce`.
 
-use rotor_core::scan::{Reduction, Statistic};
+use rotor_core::study::{Reduction, Statistic};
 
 use super::vary::variable;
 use crate::failure::Failure;

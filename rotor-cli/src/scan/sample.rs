@@ -1,6 +1,7 @@
 //! The grammar of `--sample`: inputs and their distributions.
 
-use rotor_core::scan::{Axis, Distribution, Sampling, Variable};
+use rotor_core::input::Variable;
+use rotor_core::study::{Axis, Distribution, Sampling};
 
 use super::vary::{number, variable};
 use crate::failure::Failure;

@@ -6,7 +6,7 @@ use std::path::Path;
 use std::sync::Mutex;
 
 use arrow_array::RecordBatch;
-use rotor_core::scan::{Chunk, Sink};
+use rotor_core::study::{Chunk, Sink};
 
 use super::points;
 use crate::failure::Failure;

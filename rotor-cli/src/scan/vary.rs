@@ -2,9 +2,10 @@
 
 use std::path::Path;
 
-use rotor_core::quantity::RELATIVE;
-use rotor_core::rotor::{INPUTS, RotorParameters};
-use rotor_core::scan::{Axis, ScanError, Variable};
+use rotor_core::input::Variable;
+use rotor_core::input::{INPUTS, RotorParameters};
+use rotor_core::study::{Axis, ScanError};
+use rotor_core::unit::TIMES_REFERENCE_SPEED;
 
 use crate::failure::Failure;
 use crate::nearest::nearest;
@@ -143,7 +144,7 @@ pub(super) fn number(variable: Variable, text: &str) -> Result<f64, String> {
     let value = plain(variable, digits.trim_end(), text)?;
     match (factor, variable.unit()) {
         (Some(factor), "rad") => Ok(value * factor),
-        (None, "" | RELATIVE) => Ok(value / 100.0),
+        (None, "" | TIMES_REFERENCE_SPEED) => Ok(value / 100.0),
         (Some(_), unit) => Err(format!(
             "\"{text}\" is an angle, but {} is in {}",
             variable.name(),

@@ -1,7 +1,7 @@
 //! Fig. 5: stiffness coefficients over the crack's depth.
 
 use rotor_core::equations::Coefficients;
-use rotor_core::rotor::Rotor;
+use rotor_core::jeffcott::rotor::Rotor;
 
 use super::{axis, changed, deepest, depth_axis, line, panel, spaced};
 use crate::figure::{Axis, Curve, Dash, Figure, Plot};

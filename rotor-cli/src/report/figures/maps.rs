@@ -2,9 +2,9 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use rotor_core::region::RegionKind;
-use rotor_core::rotor::Rotor;
-use rotor_core::zero_unstable_point::zup_depth;
+use rotor_core::jeffcott::region::RegionKind;
+use rotor_core::jeffcott::rotor::Rotor;
+use rotor_core::jeffcott::zup::zup_depth;
 
 use super::{
     OWN_SPEED, absence, angle_axis, changed, deepest, depth_axis, spaced, width_at, width_symbol,

@@ -1,9 +1,9 @@
 //! Fig. 3: whirl frequencies of the rotor without crack and asymmetry, and where the regions start.
 
 use rotor_core::equations::{self, Coefficients};
-use rotor_core::region::{self, RegionKind};
-use rotor_core::rotor::Rotor;
-use rotor_core::stability::whirl_frequencies;
+use rotor_core::jeffcott::exact::whirl_frequencies;
+use rotor_core::jeffcott::region::{self, RegionKind};
+use rotor_core::jeffcott::rotor::Rotor;
 
 use super::{axis, changed, line, panel, spaced};
 use crate::figure::{Annotation, Axis, Curve, Dash, Figure, Plot};

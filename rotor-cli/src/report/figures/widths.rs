@@ -4,8 +4,8 @@ use std::f64::consts::PI;
 
 use rayon::prelude::*;
 use rotor_core::equations::Coefficients;
-use rotor_core::region::{self, RegionKind};
-use rotor_core::rotor::Rotor;
+use rotor_core::jeffcott::region::{self, RegionKind};
+use rotor_core::jeffcott::rotor::Rotor;
 
 use super::{
     DEPTHS, OWN_SPEED, POSITIONS, absence, angle_axis, axis, changed, line, panel, spaced,

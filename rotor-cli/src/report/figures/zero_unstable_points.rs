@@ -1,8 +1,8 @@
 //! Figs. 8 and 9: the disk asymmetry that closes a region, over the crack's depth.
 
-use rotor_core::region::{self, RegionKind};
-use rotor_core::rotor::Rotor;
-use rotor_core::zero_unstable_point::{ZeroUnstablePoint, zup_depth};
+use rotor_core::jeffcott::region::{self, RegionKind};
+use rotor_core::jeffcott::rotor::Rotor;
+use rotor_core::jeffcott::zup::{ZeroUnstablePoint, zup_depth};
 
 use super::{
     POSITIONS, absence, axis, changed, deepest, depth_axis, line, panel, spaced, with_own,

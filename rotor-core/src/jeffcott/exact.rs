@@ -1,0 +1,26 @@
+//! Stability of the paper's rotor without approximation: the growth rate at a speed and the exact ends of the regions.
+//!
+//! The coefficients are constant in the frame that turns with the rotor, so the growth rate is that of the roots of a
+//! [`quartic`]. [`ends`] uses the same fact: a simple region (SIR) ends where a root of the quartic passes zero, a combination
+//! region (CIR) where two roots meet. [`whirl`] has the frequencies of the symmetric, uncracked rotor, from which the regions
+//! start.
+//!
+//! Growth rates are in units of the reference speed (dimensionless time), positive where the motion grows. The two general
+//! ways of [`periodic`](crate::periodic) agree with the quartic to about 1e-11 away from the ends at moderate speeds; Hill's
+//! method loses up to 5 ε Ω² at high ones, where the combination region lies for β near 2 (3e-8 at Ω = 10 000). At an end the
+//! multipliers are defective, and the general ways, which do not know the structure, keep only half of the digits there.
+
+mod combination;
+mod double_double;
+pub mod ends;
+mod frequency_equation;
+mod number;
+pub mod quartic;
+pub mod whirl;
+
+pub use combination::combination_ends;
+pub use ends::{Ends, simple_region_ends};
+pub use quartic::{growth_rate, squared_offsets};
+pub use whirl::whirl_frequencies;
+
+pub(crate) use frequency_equation::sine_and_cosine_of_double;

@@ -1,0 +1,457 @@
+//! Zero unstable points (ZUP): the crack angle, depth and position that close a region, Eq. (32).
+
+mod roots;
+
+use std::f64::consts::FRAC_PI_2;
+
+use thiserror::Error;
+
+use crate::equations::{self, Coefficients};
+use crate::input::RotorParameters;
+use crate::jeffcott::region::{self, NoRegion, RegionKind};
+use crate::jeffcott::rotor::{InvalidRotor, NoCoefficients, Rotor};
+
+use roots::Sample;
+
+/// A point at which a region is closed: its width, Eq. (31), is zero.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ZeroUnstablePoint {
+    /// The crack's depth ratio or position ratio, whichever was asked for.
+    pub value: f64,
+    /// The crack's angle $\phi$ at which the region closes there, rad: $\pi/2$ or 0.
+    pub crack_angle: f64,
+}
+
+/// Why zero unstable points could not be looked for: the reason at the first value tried.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum NoZeroUnstablePoint {
+    /// The rotor has no such region, or the region nothing that closes it.
+    #[error(transparent)]
+    Region(#[from] NoRegion),
+    /// The rotor has no coefficients.
+    #[error(transparent)]
+    Coefficients(#[from] NoCoefficients),
+    /// Neither crack nor disk excites the region, so that every value of what was asked for closes it.
+    #[error(
+        "the {} is closed everywhere: neither the crack nor the disk's asymmetry excites it", .kind.description()
+    )]
+    ClosedEverywhere {
+        /// The region asked for.
+        kind: RegionKind,
+    },
+    /// The changed rotor is not valid.
+    #[error(transparent)]
+    Rotor(#[from] InvalidRotor),
+}
+
+/// The crack angle at which the region is narrowest, and closed if the disk's asymmetry is that of
+/// Eq. (32): $\pi/2$ where the crack and the disk excite alike ($\Theta_1\Theta_2 > 0$), 0 where they
+/// oppose each other (Section 4.2). Where one of them is zero every angle gives the same width, and
+/// the answer is $\pi/2$.
+///
+/// # Errors
+/// Where the region does not exist.
+pub fn zup_angle(kind: RegionKind, c: &Coefficients) -> Result<f64, NoRegion> {
+    region::start(kind, c)?;
+    // The closing asymmetry is that of Eq. (32) at pi/2 in a simple region, at 0 in a combination region, and keeps its
+    // sign where displacement and tilt are nearly uncoupled. The raw excitations lose theirs there, as H or its partner
+    // goes to zero.
+    let closing = match region::zup_asymmetry(kind, c) {
+        Ok(closing) => closing,
+        Err(NoRegion::Uncoupled { .. }) => return Ok(FRAC_PI_2),
+        Err(reason) => return Err(reason),
+    };
+    let product = closing * c.disk_asymmetry;
+    let at_zero = match kind {
+        RegionKind::Simple | RegionKind::UpperSimple => product < 0.0,
+        RegionKind::Combination => product > 0.0,
+    };
+    Ok(if at_zero { 0.0 } else { FRAC_PI_2 })
+}
+
+/// The crack angles $\phi \in [0, \pi)$ that close the region of this rotor: none, or the one of [`zup_angle`] where the
+/// excitations of crack and disk are equally large, $|\Theta_1| = |\Theta_2|$ in Eq. (25), to within their rounding. The
+/// rotor's own angle does not matter.
+///
+/// # Errors
+/// Where the region does not exist, and where it is closed at every angle because nothing excites it.
+pub fn zup_crack_angle(
+    rotor: &Rotor,
+    kind: RegionKind,
+) -> Result<Vec<ZeroUnstablePoint>, NoZeroUnstablePoint> {
+    let c = rotor.coefficients()?;
+    let angle = zup_angle(kind, &c)?;
+    let closing = match region::zup_asymmetry(kind, &c) {
+        Ok(closing) => closing,
+        // The disk takes no part: only a region that is closed at every angle is closed at one.
+        Err(NoRegion::Uncoupled { .. }) if region::width(kind, &c)? == 0.0 => {
+            return Err(NoZeroUnstablePoint::ClosedEverywhere { kind });
+        }
+        Err(NoRegion::Uncoupled { .. }) => return Ok(vec![]),
+        Err(reason) => return Err(reason.into()),
+    };
+    if closing == 0.0 && c.disk_asymmetry == 0.0 {
+        return Err(NoZeroUnstablePoint::ClosedEverywhere { kind });
+    }
+    let apart = (closing.abs() - c.disk_asymmetry.abs()).abs();
+    let closed = apart <= closing_rounding(kind, &c);
+    Ok(if closed {
+        vec![ZeroUnstablePoint {
+            value: angle,
+            crack_angle: angle,
+        }]
+    } else {
+        vec![]
+    })
+}
+
+/// A bound on the rounding error of the closing asymmetry, Eq. (32): that of each term of its numerator and denominator,
+/// with the rounding of the frequencies in them, which are right to some ten roundings each.
+fn closing_rounding(kind: RegionKind, c: &Coefficients) -> f64 {
+    let (omega, speed, excess) = match kind {
+        RegionKind::Simple => {
+            let speed = equations::sir_start::value(c);
+            (speed, speed, 1.0)
+        }
+        RegionKind::UpperSimple => {
+            let speed = equations::upper_sir_start::value(c);
+            (speed, speed, 1.0)
+        }
+        RegionKind::Combination => (
+            equations::cir_omega::value(c),
+            equations::cir_start::value(c),
+            2.0,
+        ),
+    };
+    let partner = 2.0 * speed - omega;
+    // The sizes of the terms of H and G, and what is left of them.
+    let sizes = |omega: f64| {
+        let h = 1.0 + omega * omega;
+        let g = c.delta + omega * omega + c.beta * speed * omega;
+        [h, g]
+    };
+    let [h_size, g_size] = sizes(omega);
+    let [h_bar_size, g_bar_size] = sizes(partner);
+    let (h_most, g_most) = (h_size.max(h_bar_size), g_size.max(g_bar_size));
+    let numerator = c.epsilon_1.abs() * g_most
+        + c.epsilon_12.abs() * (c.gamma.powi(2) + h_most * g_most)
+        + (c.epsilon_2 * c.delta).abs() * h_most
+        + c.disk_asymmetry.abs() * omega * partner * h_most;
+    let (h, h_bar) = (equations::transverse(omega), equations::transverse(partner));
+    let left = if kind == RegionKind::Combination {
+        h - h_bar
+    } else {
+        equations::coupled_transverse(h, equations::tilting(omega, speed, c), c)
+    };
+    CLOSING_ROUNDINGS * excess * f64::EPSILON * numerator / (omega * partner * left).abs()
+}
+
+/// The depths $\sigma \in (0, 1]$ of the rotor's crack at which the region closes at the crack angle
+/// returned with each, in rising order; empty where there is none. The rotor's own depth and angle do
+/// not matter. The search has 128 cells: of two such depths within 1/128, or one at which the closing
+/// asymmetry only touches the disk's, nothing is seen.
+///
+/// # Errors
+/// Where the region exists at no depth.
+pub fn zup_depth(
+    rotor: &Rotor,
+    kind: RegionKind,
+) -> Result<Vec<ZeroUnstablePoint>, NoZeroUnstablePoint> {
+    let grid: Vec<f64> = (0..=DEPTHS)
+        .map(|i| f64::from(i) / f64::from(DEPTHS))
+        .collect();
+    search(rotor, kind, &grid, |p, depth| p.crack_depth_ratio = depth)
+}
+
+/// The positions $l_c/L \in (0, 1)$ of the rotor's crack at which the region closes at the crack
+/// angle returned with each, in rising order; empty where there is none. The rotor's own position and
+/// angle do not matter. The search has the resolution of [`zup_depth`].
+///
+/// # Errors
+/// Where the region exists at no position, and where without crack and asymmetry it is closed at all of them.
+pub fn zup_position(
+    rotor: &Rotor,
+    kind: RegionKind,
+) -> Result<Vec<ZeroUnstablePoint>, NoZeroUnstablePoint> {
+    let disk = rotor.parameters().disk_position_ratio;
+    let mut grid: Vec<f64> = (1..POSITIONS)
+        .map(|i| f64::from(i) / f64::from(POSITIONS))
+        .collect();
+    grid.extend([NEAR_SUPPORT, 1.0 - NEAR_SUPPORT]);
+    // The loads of a simply supported beam jump where the crack passes the disk.
+    grid.extend([disk.next_down(), disk]);
+    grid.retain(|&position| position > 0.0 && position < 1.0);
+    grid.sort_by(f64::total_cmp);
+    grid.dedup();
+    search(rotor, kind, &grid, |p, position| {
+        p.crack_position_ratio = position
+    })
+}
+
+/// Cells of the search in depth and in position.
+const DEPTHS: i32 = 128;
+const POSITIONS: i32 = 128;
+/// The supports themselves are no position of a crack.
+const NEAR_SUPPORT: f64 = 1e-6;
+/// How far from $\pm\Delta_d$ the closing asymmetry of an accepted root may be. At a pole or a jump
+/// it is far off; at a root found to the last digit it is wrong by rounding times the slope.
+const ACCEPTED: f64 = 1e-9;
+/// Roundings of each term of the closing asymmetry: ten in each frequency, and its operations.
+const CLOSING_ROUNDINGS: f64 = 32.0;
+
+fn search(
+    rotor: &Rotor,
+    kind: RegionKind,
+    grid: &[f64],
+    set: impl Fn(&mut RotorParameters, f64),
+) -> Result<Vec<ZeroUnstablePoint>, NoZeroUnstablePoint> {
+    let at = |value: f64| -> Result<(Coefficients, f64), NoZeroUnstablePoint> {
+        let c = rotor.with(|p| set(p, value))?.coefficients()?;
+        let asymmetry = region::zup_asymmetry(kind, &c)?;
+        Ok((c, asymmetry))
+    };
+    let asymmetry = rotor.parameters().disk_asymmetry.abs();
+    let mut samples = Vec::with_capacity(grid.len());
+    let mut first_reason = None;
+    for &value in grid {
+        match at(value) {
+            Ok((c, closing)) => samples.push(Some((value, weight(kind, &c), closing))),
+            Err(reason) => {
+                first_reason.get_or_insert(reason);
+                samples.push(None);
+            }
+        }
+    }
+    if let (true, Some(reason)) = (samples.iter().all(Option::is_none), first_reason) {
+        return Err(reason);
+    }
+    let no_excitation = |&(_, _, closing): &(f64, f64, f64)| closing == 0.0;
+    if asymmetry == 0.0 && samples.iter().flatten().all(no_excitation) {
+        return Err(NoZeroUnstablePoint::ClosedEverywhere { kind });
+    }
+    let mut points = Vec::new();
+    let signed = if asymmetry == 0.0 {
+        vec![0.0]
+    } else {
+        vec![asymmetry, -asymmetry]
+    };
+    for target in signed {
+        let residual = |value: f64| {
+            at(value)
+                .ok()
+                .map(|(c, closing)| weight(kind, &c) * (closing - target))
+        };
+        let sampled: Vec<Option<Sample>> = samples
+            .iter()
+            .map(|sample| {
+                sample.map(|(x, weight, closing)| Sample {
+                    x,
+                    y: weight * (closing - target),
+                })
+            })
+            .collect();
+        for value in roots::sign_changes(&sampled, residual) {
+            let Ok((c, closing)) = at(value) else {
+                continue;
+            };
+            if value > 0.0 && (closing - target).abs() <= ACCEPTED {
+                points.push(ZeroUnstablePoint {
+                    value,
+                    crack_angle: zup_angle(kind, &c)?,
+                });
+            }
+        }
+    }
+    points.sort_by(|a, b| a.value.total_cmp(&b.value));
+    Ok(points)
+}
+
+/// What makes the closing asymmetry continuous: that of a combination region has a pole where
+/// $\gamma$ changes its sign. A simple region's never changes sign through infinity.
+fn weight(kind: RegionKind, c: &Coefficients) -> f64 {
+    match kind {
+        RegionKind::Simple | RegionKind::UpperSimple => 1.0,
+        RegionKind::Combination => c.gamma,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::input::CrackModel;
+
+    fn paper(change: impl FnOnce(&mut RotorParameters)) -> Rotor {
+        Rotor::default().with(change).unwrap()
+    }
+
+    #[test]
+    fn the_sign_of_the_asymmetry_turns_the_closing_angle() {
+        for (asymmetry, simple, combination) in [(0.2, FRAC_PI_2, 0.0), (-0.2, 0.0, FRAC_PI_2)] {
+            let rotor = paper(|p| p.disk_asymmetry = asymmetry);
+            let c = rotor.coefficients().unwrap();
+            for (kind, angle) in [
+                (RegionKind::Simple, simple),
+                (RegionKind::Combination, combination),
+            ] {
+                assert_eq!(zup_angle(kind, &c), Ok(angle));
+                let [point] = zup_depth(&rotor, kind).unwrap()[..] else {
+                    panic!("one point")
+                };
+                assert_eq!(point.crack_angle, angle);
+            }
+        }
+    }
+
+    #[test]
+    fn the_depth_does_not_depend_on_the_rotors_own_crack() {
+        let kind = RegionKind::Simple;
+        let other = paper(|p| (p.crack_depth_ratio, p.crack_angle) = (0.7, 1.0));
+        assert_eq!(zup_depth(&other, kind), zup_depth(&Rotor::default(), kind));
+    }
+
+    #[test]
+    fn none_in_range_is_an_answer() {
+        // A crack next to the support bends too little to balance the disk, however deep it is.
+        let rotor = paper(|p| {
+            p.crack_model = CrackModel::SimplySupported;
+            p.crack_position_ratio = 0.01;
+        });
+        for kind in [RegionKind::Simple, RegionKind::Combination] {
+            assert_eq!(zup_depth(&rotor, kind), Ok(vec![]));
+        }
+    }
+
+    #[test]
+    fn the_printed_lever_arm_has_none_of_the_papers_points() {
+        let rotor = paper(|p| p.crack_model = CrackModel::MidspanArm);
+        for (kind, angle) in [
+            (RegionKind::Simple, FRAC_PI_2),
+            (RegionKind::Combination, 0.0),
+        ] {
+            for point in zup_depth(&rotor, kind).unwrap() {
+                assert!(
+                    point.crack_angle != angle || point.value > 0.5,
+                    "{kind}: {point:?}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn a_region_that_exists_nowhere_is_an_error() {
+        let rotor = paper(|p| p.disk_polar_inertia = 2.0 * p.disk_diametral_inertia);
+        let kind = RegionKind::Combination;
+        let reason = NoRegion::InertiaRatio {
+            kind,
+            beta: 2.0,
+            limit: 2.0,
+        };
+        let error = Err(NoZeroUnstablePoint::Region(reason));
+        assert_eq!(zup_depth(&rotor, kind), error);
+        assert_eq!(zup_position(&rotor, kind), error);
+    }
+
+    #[test]
+    fn a_symmetric_disk_is_not_closed_by_no_crack() {
+        let rotor = paper(|p| p.disk_asymmetry = 0.0);
+        assert_eq!(zup_depth(&rotor, RegionKind::Simple), Ok(vec![]));
+    }
+
+    #[test]
+    fn without_crack_and_asymmetry_it_is_closed_everywhere() {
+        let rotor = paper(|p| (p.disk_asymmetry, p.crack_depth_ratio) = (0.0, 0.0));
+        for kind in [RegionKind::Simple, RegionKind::Combination] {
+            let closed = Err(NoZeroUnstablePoint::ClosedEverywhere { kind });
+            assert_eq!(zup_position(&rotor, kind), closed);
+            assert_eq!(zup_crack_angle(&rotor, kind), closed);
+        }
+        let cracked = paper(|p| p.disk_asymmetry = 0.0);
+        assert_eq!(zup_position(&cracked, RegionKind::Simple), Ok(vec![]));
+    }
+
+    #[test]
+    fn an_angle_closes_only_a_balanced_region() {
+        for asymmetry in [0.2, -0.2, 0.03] {
+            for kind in [RegionKind::Simple, RegionKind::Combination] {
+                let rotor = paper(|p| p.disk_asymmetry = asymmetry);
+                assert_eq!(zup_crack_angle(&rotor, kind), Ok(vec![]));
+                let [depth] = zup_depth(&rotor, kind).unwrap()[..] else {
+                    panic!("one depth")
+                };
+                let at = |depth: f64| rotor.with(|p| p.crack_depth_ratio = depth).unwrap();
+                let angle = depth.crack_angle;
+                let expected = ZeroUnstablePoint {
+                    value: angle,
+                    crack_angle: angle,
+                };
+                assert_eq!(zup_crack_angle(&at(depth.value), kind), Ok(vec![expected]));
+                assert_eq!(
+                    zup_crack_angle(&at(depth.value * (1.0 + 1e-11)), kind),
+                    Ok(vec![])
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn the_quarter_is_right_for_a_weak_coupling() {
+        let c = Coefficients {
+            beta: 1.998_670_944_384_197_7,
+            gamma: 8.941_485_234_378_048e-6,
+            delta: 0.084_423_679_518_234_29,
+            epsilon_1: 0.140_583_763_107_910_32,
+            epsilon_12: 0.141_283_001_539_582_95,
+            epsilon_2: -0.315_866_536_880_657_9,
+            disk_asymmetry: 0.159_540_986_298_811_42,
+            crack_angle: 0.0,
+        };
+        for kind in [RegionKind::Simple, RegionKind::Combination] {
+            let width =
+                |crack_angle: f64| region::width(kind, &Coefficients { crack_angle, ..c }).unwrap();
+            let angle = zup_angle(kind, &c).unwrap();
+            assert!(
+                width(angle) <= width(FRAC_PI_2 - angle),
+                "{kind} at {angle}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_pole_of_the_closing_asymmetry_is_no_root() {
+        // With the disk near midspan a deep crack turns the coupling's sign as it moves.
+        let rotor = paper(|p| {
+            p.crack_model = CrackModel::MidspanArm;
+            p.disk_position_ratio = 0.49;
+            p.crack_depth_ratio = 0.6;
+        });
+        let gamma = |position: f64| {
+            let rotor = rotor.with(|p| p.crack_position_ratio = position).unwrap();
+            rotor.coefficients().unwrap().gamma
+        };
+        let positions: Vec<f64> = (1..100).map(|i| f64::from(i) / 100.0).collect();
+        let poles: Vec<f64> = positions
+            .windows(2)
+            .filter(|pair| gamma(pair[0]) * gamma(pair[1]) < 0.0)
+            .map(|pair| pair[0])
+            .collect();
+        assert!(!poles.is_empty(), "the test needs a rotor with a pole");
+        for point in zup_position(&rotor, RegionKind::Combination).unwrap() {
+            let rotor = rotor
+                .with(|p| p.crack_position_ratio = point.value)
+                .unwrap();
+            let closing =
+                region::zup_asymmetry(RegionKind::Combination, &rotor.coefficients().unwrap());
+            assert!((closing.unwrap().abs() - 0.2).abs() < 1e-9, "{point:?}");
+        }
+    }
+
+    #[test]
+    fn no_root_at_the_jump_where_the_crack_passes_the_disk() {
+        let rotor = paper(|p| p.crack_model = CrackModel::SimplySupported);
+        for kind in [RegionKind::Simple, RegionKind::Combination] {
+            for point in zup_position(&rotor, kind).unwrap() {
+                assert!((point.value - 0.25).abs() > 1e-9, "{kind}: {point:?}");
+            }
+        }
+    }
+}

@@ -1,0 +1,82 @@
+//! The equations of motion of the paper's rotor, Eqs. (11) and (12).
+
+use nalgebra::DMatrix;
+
+use super::Model;
+use crate::equations::Coefficients;
+use crate::error::{StabilityError, check_coefficients, require};
+use crate::jeffcott::exact::sine_and_cosine_of_double;
+use crate::periodic::{Harmonic, PeriodicSystem};
+
+impl Model for Coefficients {
+    /// The rotor in the fixed frame at the speed Ω > 0, Eqs. (11) and (12) with q = [x, y, θ_y, θ_x], dimensionless: times in
+    /// units of the inverse reference speed.
+    ///
+    /// Two things differ from the print: m̂_s has the entries (3,4) and (4,3), not one row, and the crack's angle is
+    /// resolved, cos 2(Ωt + φ) = cos 2φ cos 2Ωt − sin 2φ sin 2Ωt.
+    ///
+    /// # Errors
+    ///
+    /// [`StabilityError::OutOfRange`] for a speed that is not positive and finite, a coefficient that is not finite or
+    /// |Δ_d| ≥ 1.
+    fn system(&self, speed: f64) -> Result<PeriodicSystem, StabilityError> {
+        let c = self;
+        check_coefficients(c)?;
+        require("speed", speed, speed > 0.0, "a positive number")?;
+        let square = |rows: &[f64; 16]| DMatrix::from_row_slice(4, 4, rows);
+        let (d, g) = (c.disk_asymmetry, c.beta * speed);
+        #[rustfmt::skip]
+        let (mass_cosine, mass_sine, gyroscopic) = (
+            square(&[0.0, 0.0, 0.0, 0.0,
+                     0.0, 0.0, 0.0, 0.0,
+                     0.0, 0.0,  -d, 0.0,
+                     0.0, 0.0, 0.0,   d]),
+            square(&[0.0, 0.0, 0.0, 0.0,
+                     0.0, 0.0, 0.0, 0.0,
+                     0.0, 0.0, 0.0,   d,
+                     0.0, 0.0,   d, 0.0]),
+            square(&[0.0, 0.0, 0.0, 0.0,
+                     0.0, 0.0, 0.0, 0.0,
+                     0.0, 0.0, 0.0,  -g,
+                     0.0, 0.0,   g, 0.0]),
+        );
+        let (gamma, delta) = (c.gamma, c.delta);
+        let (e1, e12, e2) = (c.epsilon_1, c.epsilon_12 * gamma, c.epsilon_2 * delta);
+        #[rustfmt::skip]
+        let (shaft, crack_cosine, crack_sine) = (
+            square(&[  1.0,    0.0,    0.0, gamma,
+                       0.0,    1.0, -gamma,   0.0,
+                       0.0, -gamma,  delta,   0.0,
+                     gamma,    0.0,    0.0, delta]),
+            square(&[ e1, 0.0, 0.0, e12,
+                     0.0, -e1, e12, 0.0,
+                     0.0, e12, -e2, 0.0,
+                     e12, 0.0, 0.0,  e2]),
+            square(&[0.0,  -e1, e12,  0.0,
+                     -e1,  0.0, 0.0, -e12,
+                     e12,  0.0, 0.0,   e2,
+                     0.0, -e12,  e2,  0.0]),
+        );
+        let [sine, cosine] = sine_and_cosine_of_double(c.crack_angle);
+        let frequency = 2.0 * speed;
+        PeriodicSystem::new(
+            frequency,
+            Harmonic {
+                constant: DMatrix::identity(4, 4),
+                cosine: mass_cosine.clone(),
+                sine: mass_sine.clone(),
+            },
+            // d/dt of the varying mass.
+            Harmonic {
+                constant: gyroscopic,
+                cosine: mass_sine * frequency,
+                sine: mass_cosine * -frequency,
+            },
+            Harmonic {
+                constant: shaft,
+                cosine: &crack_cosine * cosine + &crack_sine * sine,
+                sine: crack_sine * cosine - crack_cosine * sine,
+            },
+        )
+    }
+}

@@ -1,0 +1,119 @@
+//! Tables of rotors: quantities of many rotors that are given one by one, in packs.
+//!
+//! ```
+//! use rotor_core::quantity::Quantity;
+//! use rotor_core::input::{NumericInput, RotorParameters};
+//! use rotor_core::study::table::{Column, evaluate};
+//!
+//! let input = |name| NumericInput::find(name).ok_or("no such input");
+//! let depths = [0.1, 0.2, 7.0];
+//! let columns = [Column { input: input("crack_depth_ratio")?, values: &depths }];
+//! let quantities = [Quantity::SirWidth, Quantity::Beta];
+//! let results = evaluate(&RotorParameters::PAPER, &columns, &quantities)?;
+//! assert!(results[0][1] > results[0][0]);
+//! // No crack is seven radii deep.
+//! assert!(results[0][2].is_nan() && results[1][2].is_nan());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+use thiserror::Error;
+
+use crate::batch::kernel::{Kernel, POINTS_PER_BLOCK};
+use crate::input::{NumericInput, RotorParameters};
+use crate::quantity::Quantity;
+
+/// The values of an input, one for each rotor.
+#[derive(Clone, Copy, Debug)]
+pub struct Column<'a> {
+    /// The input.
+    pub input: &'static NumericInput,
+    /// Its values in SI units.
+    pub values: &'a [f64],
+}
+
+/// Columns that are no table.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+pub enum TableError {
+    /// There is no column to tell how many rotors there are.
+    #[error("no input has a column; at least one must have")]
+    NoColumn,
+    /// A column is longer or shorter than the first.
+    #[error(
+        "the column of {input} has {length} rows; it must have {expected}, as that of {first} has"
+    )]
+    Length {
+        /// Its input.
+        input: &'static str,
+        /// Its length.
+        length: usize,
+        /// The input of the first column.
+        first: &'static str,
+        /// The length of that.
+        expected: usize,
+    },
+    /// A quantity that is at a speed: a table has none.
+    #[error("{quantity} is at a speed, and a table of rotors has none")]
+    NoSpeed {
+        /// The quantity.
+        quantity: &'static str,
+    },
+    /// An input has two columns.
+    #[error("{input} has two columns; an input has one at most")]
+    Twice {
+        /// The input.
+        input: &'static str,
+    },
+}
+
+/// Evaluates quantities of the rotors whose inputs are `base` but for those that have a column: for each quantity a
+/// column of its own, NaN in the rows whose rotor has no such quantity or that are no rotor.
+/// [`quantity::evaluate`](crate::quantity::evaluate) says why.
+///
+/// # Errors
+/// Where there is no column, columns differ in their lengths, two are of one input, or a quantity is at a speed.
+pub fn evaluate(
+    base: &RotorParameters,
+    columns: &[Column<'_>],
+    quantities: &[Quantity],
+) -> Result<Vec<Vec<f64>>, TableError> {
+    let length = check(columns)?;
+    if let Some(quantity) = quantities.iter().find(|quantity| quantity.needs_speed()) {
+        let quantity = quantity.name();
+        return Err(TableError::NoSpeed { quantity });
+    }
+    let mut results = vec![vec![f64::NAN; length]; quantities.len()];
+    let mut kernel = Kernel::of_table(columns.iter().map(|column| column.input), quantities);
+    for from in (0..length).step_by(POINTS_PER_BLOCK) {
+        let to = length.min(from + POINTS_PER_BLOCK);
+        kernel.enter(from as u64, to - from, |number, values| {
+            values.copy_from_slice(&columns[number].values[from..to]);
+        });
+        let stretch = results.iter_mut().map(|result| &mut result[from..to]);
+        kernel.evaluate(base, None, &mut stretch.collect::<Vec<_>>());
+    }
+    Ok(results)
+}
+
+/// How many rows there are.
+fn check(columns: &[Column<'_>]) -> Result<usize, TableError> {
+    let first = columns.first().ok_or(TableError::NoColumn)?;
+    let expected = first.values.len();
+    for (place, column) in columns.iter().enumerate() {
+        let (input, length) = (column.input.name, column.values.len());
+        if length != expected {
+            return Err(TableError::Length {
+                input,
+                length,
+                first: first.input.name,
+                expected,
+            });
+        }
+        if columns[..place]
+            .iter()
+            .any(|other| other.input == column.input)
+        {
+            return Err(TableError::Twice { input });
+        }
+    }
+    Ok(expected)
+}
