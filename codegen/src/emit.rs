@@ -4,6 +4,7 @@
 //! tokens, [`scalar`] and [`columns`] put a function around them; `roots` shares roots between divider and multipliers;
 //! `layout` breaks the lines of their text.
 
+pub mod chain;
 pub mod columns;
 pub mod expression;
 mod layout;

@@ -1,5 +1,6 @@
 //! The whole way of a module: parse, check, differentiate, rewrite, factor, emit.
 
+mod chain;
 mod collisions;
 mod depth;
 mod derivatives;
@@ -16,6 +17,7 @@ use quote::{ToTokens, format_ident, quote};
 use syn::spanned::Spanned;
 use syn::{Item, ItemMod};
 
+use crate::chain::Member;
 use crate::cost::Cost;
 use crate::diagnostics::Diagnostics;
 use crate::emit::columns;
@@ -120,6 +122,18 @@ impl Formula {
         }
     }
 
+    /// Its inputs, also those that cancel, in the order in which it names them.
+    pub fn inputs(&self) -> Vec<SymbolId> {
+        let all = self.graph.symbols();
+        let own = all.filter(|(_, symbol)| symbol.role == Role::Input);
+        own.map(|(id, _)| id).collect()
+    }
+
+    /// Their names.
+    pub fn input_names(&self) -> Vec<String> {
+        columns::names_of(&self.graph, &self.inputs())
+    }
+
     /// The input of that name, made where the formula does not depend on it.
     pub fn input(&mut self, name: &str) -> SymbolId {
         // The same in both graphs: each is made with the symbols of the one as written.
@@ -166,8 +180,12 @@ pub struct Expansion {
     partials: BTreeSet<(String, String)>,
     /// Per function the items of its module of generated forms.
     forms: BTreeMap<String, Vec<TokenStream>>,
+    /// The formulas that take part in the chain.
+    members: Vec<Member>,
     uses_columns: bool,
     uses_integral: bool,
+    /// The module of the chain, where there is one.
+    chain: Option<TokenStream>,
     /// Whether it was reported that calls go too deep.
     too_deep: bool,
     used_tables: BTreeMap<String, TokenStream>,
@@ -201,8 +219,10 @@ impl Expansion {
             named: BTreeMap::new(),
             partials: BTreeSet::new(),
             forms: BTreeMap::new(),
+            members: Vec::new(),
             uses_columns: false,
             uses_integral: false,
+            chain: None,
             too_deep: false,
             used_tables: BTreeMap::new(),
         }
@@ -337,6 +357,7 @@ impl Expansion {
         }
         self.report_collisions();
         self.report_unread();
+        self.chain = self.chain_items();
     }
 
     /// Nothing stands in for generated code without an error.
@@ -394,9 +415,15 @@ impl Expansion {
                 request.gradient.is_some(),
             ));
         }
+        let mut staged = Vec::new();
         for stage in &request.stages {
-            items.push(self.staged_item(function, stage));
+            let (item, weights) = self.staged_item(function, stage);
+            items.push(item);
+            staged.push(weights);
         }
+        let of_values = column_forms.iter().find(|form| form.form == Form::Value);
+        let rows = of_values.map(|form| form.circuit.cost().weight());
+        self.join_chain(function, request, rows, &staged);
         if let Some((form, cost)) = richest {
             self.check_budget(function, request, form, cost);
         }
@@ -482,12 +509,7 @@ impl Expansion {
         let Some(formula) = self.formula(&function.name()) else {
             return Vec::new();
         };
-        // Also those that cancel: a column of each input, whatever becomes of it.
-        let own = formula
-            .graph
-            .symbols()
-            .filter(|(_, symbol)| symbol.role == Role::Input);
-        let symbols: Vec<SymbolId> = own.map(|(id, _)| id).collect();
+        let symbols = formula.inputs();
         let mut items = vec![columns::inputs_type(&columns::names_of(
             &formula.graph,
             &symbols,
@@ -594,6 +616,7 @@ impl Expansion {
             added.push(integral_function());
         }
         added.extend(self.used_tables.into_values());
+        added.extend(self.chain);
         for function in &self.module.functions {
             if let Some(items) = self.forms.get(&function.name()) {
                 added.push(forms_module(function, items));

@@ -139,7 +139,8 @@
 //! | [`rewrite`] | a table of sound rules, each with its guard |
 //! | [`factor`] | the fewest operations over a value and its partials together |
 //! | [`stage`] | what is done once, what once for each value of an inner parameter, what at every point |
-//! | [`emit`] | circuits to tokens: functions of numbers, functions over columns, the loops of stages |
+//! | [`mod@chain`] | which formulas give what others take, from the inputs to every result |
+//! | [`emit`] | circuits to tokens: functions of numbers, functions over columns, the loops of stages, the chain |
 //! | [`mod@expand`] | the pipeline, and the module that comes out |
 //!
 //! Beside them: [`budget`] (how long searches go on, counted), [`approximate`] and [`tables`] (integrals and costly functions as piecewise polynomials, fitted when the
@@ -148,6 +149,7 @@
 
 pub mod approximate;
 pub mod budget;
+pub mod chain;
 pub mod cost;
 pub mod diagnostics;
 pub mod differentiate;

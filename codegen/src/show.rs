@@ -179,7 +179,7 @@ pub fn rust(expansion: &mut Expansion, name: &str) -> Result<String, ShowError> 
     let mut tokens: TokenStream = forms.into_iter().map(|form| form.tokens).collect();
     let function = function(expansion, name)?;
     for stage in function.request.iter().flat_map(|request| &request.stages) {
-        tokens.extend(expansion.staged_item(&function, stage));
+        tokens.extend(expansion.staged_item(&function, stage).0);
     }
     emit::format(tokens).ok_or_else(|| ShowError::Mistakes(name.to_owned()))
 }

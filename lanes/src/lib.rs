@@ -14,6 +14,7 @@
 
 extern crate self as lanes;
 
+pub mod chain;
 mod copies;
 mod kernel;
 mod level;

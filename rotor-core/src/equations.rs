@@ -183,7 +183,7 @@ mod formulas {
     }
 
     /// Crack compliance, Eq. (8). `edge_factor` is 32 where one half of the edge opens, 64 where both do (E6).
-    #[generate(value, columns)]
+    #[generate(value, columns, chain)]
     pub fn crack_compliance(p: &RotorParameters, edge_factor: f64) -> CrackCompliance {
         let plane_strain = (1.0 - p.shaft_poissons_ratio.powi(2))
             / (std::f64::consts::PI * p.shaft_youngs_modulus * p.shaft_radius);
@@ -214,7 +214,7 @@ mod formulas {
     }
 
     /// The loads at the crack in the model `support-arm`: Eq. (6) with the lever arm $-l_c$ (E3).
-    #[generate(value, columns)]
+    #[generate(value, columns, chain)]
     pub fn support_arm(p: &RotorParameters) -> SectionLoads {
         SectionLoads {
             moment_of_force: -p.crack_position_ratio * p.shaft_length,
@@ -225,7 +225,7 @@ mod formulas {
     }
 
     /// The loads at the crack in the model `midspan-arm`: Eq. (6) as printed, with the arm $L/2 - l_c$.
-    #[generate(value, columns)]
+    #[generate(value, columns, chain)]
     pub fn midspan_arm(p: &RotorParameters) -> SectionLoads {
         SectionLoads {
             moment_of_force: (0.5 - p.crack_position_ratio) * p.shaft_length,
@@ -236,7 +236,7 @@ mod formulas {
     }
 
     /// The loads at a crack left of the disk in the model `simply-supported`: statics of the beam.
-    #[generate(value, columns)]
+    #[generate(value, columns, chain)]
     pub fn simply_supported_left(p: &RotorParameters) -> SectionLoads {
         let right = 1.0 - p.disk_position_ratio;
         SectionLoads {
@@ -248,7 +248,7 @@ mod formulas {
     }
 
     /// The loads at a crack right of the disk in the model `simply-supported`: statics of the beam.
-    #[generate(value, columns)]
+    #[generate(value, columns, chain)]
     pub fn simply_supported_right(p: &RotorParameters) -> SectionLoads {
         let left = p.disk_position_ratio;
         SectionLoads {
@@ -298,7 +298,7 @@ mod formulas {
     /// Stiffness of the cracked shaft, Eq. (10).
     ///
     /// As $A_1^{-1} - A_2^{-1} = A_1^{-1}(A_2 - A_1)A_2^{-1}$ with the crack's own $A_2 - A_1$, a shallow one keeps all digits.
-    #[generate(value, columns)]
+    #[generate(value, columns, chain)]
     pub fn stiffness(p: &RotorParameters, s: &SectionLoads, c: &CrackCompliance) -> Stiffness {
         let f = shaft_flexibility(p);
         let a = cracked_flexibility(&f, c, s);
@@ -334,13 +334,13 @@ mod formulas {
     }
 
     /// Reference speed $\omega_{st} = \sqrt{k_{tt}/m_d}$, rad/s.
-    #[generate(value, columns)]
+    #[generate(value, columns, chain)]
     pub fn reference_speed(p: &RotorParameters, k: &Stiffness) -> f64 {
         (k.k_tt / p.disk_mass).sqrt()
     }
 
     /// The dimensionless numbers of Eq. (12).
-    #[generate(value, columns)]
+    #[generate(value, columns, chain)]
     pub fn coefficients(p: &RotorParameters, k: &Stiffness) -> Coefficients {
         Coefficients {
             beta: p.disk_polar_inertia / p.disk_diametral_inertia,
@@ -466,7 +466,7 @@ mod formulas {
     }
 
     /// Start $\Omega_s$ of the simple region, where $\omega_2 = \Omega$, Eq. (15).
-    #[generate(value, columns)]
+    #[generate(value, columns, chain)]
     pub fn sir_start(c: &Coefficients) -> f64 {
         sir_start_squared(c).sqrt()
     }
@@ -484,7 +484,7 @@ mod formulas {
     }
 
     /// Start $\Omega_c$ of the combination region, where $\omega_1 + \omega_2 = 2\Omega$, Eq. (16); for $\beta < 2$.
-    #[generate(value, columns)]
+    #[generate(value, columns, chain)]
     pub fn cir_start(c: &Coefficients) -> f64 {
         let slack = 2.0 - c.beta;
         let sum = c.beta.powi(2) + 4.0 * slack * (1.0 + c.delta) + (4.0 - c.beta) * cir_root(c);
@@ -573,7 +573,7 @@ mod formulas {
     }
 
     /// Width $\lambda_s$ of the simple region, Eq. (31) at $\Omega_s$.
-    #[generate(value, gradient, columns)]
+    #[generate(value, gradient, columns, chain)]
     pub fn sir_width(c: &Coefficients) -> f64 {
         let speed = sir_start(c);
         width(speed, speed, sir_strength(speed, c), c)
@@ -587,20 +587,20 @@ mod formulas {
     }
 
     /// Width $\lambda_c$ of the combination region, Eq. (31) at $\Omega_c$; for $\beta < 2$ and $\gamma \ne 0$.
-    #[generate(value, gradient, columns)]
+    #[generate(value, gradient, columns, chain)]
     pub fn cir_width(c: &Coefficients) -> f64 {
         let (omega, speed) = (cir_omega(c), cir_start(c));
         width(omega, speed, cir_strength(omega, speed, c), c)
     }
 
     /// Both widths, $\lambda_s$ and $\lambda_c$, in stages along what a scan varies.
-    #[generate(columns, stage(c.crack_angle), stage(c.disk_asymmetry), stage(c.beta, c.gamma, c.delta, c.epsilon_1, c.epsilon_12, c.epsilon_2))]
+    #[generate(columns, chain(sir_width, cir_width), stage(c.crack_angle), stage(c.disk_asymmetry), stage(c.beta, c.gamma, c.delta, c.epsilon_1, c.epsilon_12, c.epsilon_2))]
     pub fn both_widths(c: &Coefficients) -> (f64, f64) {
         (sir_width(c), cir_width(c))
     }
 
     /// The squares of both widths, of which a scan takes maxima: one root is left of many.
-    #[generate(stage(c.crack_angle))]
+    #[generate(chain(sir_width_squared, cir_width_squared), stage(c.crack_angle))]
     pub fn both_widths_squared(c: &Coefficients) -> (f64, f64) {
         (sir_width(c).powi(2), cir_width(c).powi(2))
     }
@@ -634,7 +634,7 @@ mod formulas {
     }
 
     /// The disk asymmetry that closes the simple region at $\phi = \pi/2$, Eq. (32).
-    #[generate(value, columns)]
+    #[generate(value, columns, chain)]
     pub fn sir_zup_asymmetry(c: &Coefficients) -> f64 {
         closing_asymmetry(sir_start(c), c)
     }
@@ -646,7 +646,7 @@ mod formulas {
     }
 
     /// The disk asymmetry that closes the combination region at $\phi = 0$, Eq. (32), as in [`cir_strength()`].
-    #[generate(value, columns)]
+    #[generate(value, columns, chain)]
     pub fn cir_zup_asymmetry(c: &Coefficients) -> f64 {
         let (omega, speed) = (cir_omega(c), cir_start(c));
         let omega_bar = 2.0 * speed - omega;
@@ -659,7 +659,7 @@ mod formulas {
     // ---- Both widths straight from the physical rotor ----------------------------------------------
     /// Both widths, $\lambda_s$ and $\lambda_c$, of a rotor with a crack of this compliance, loaded as in `s`; in stages along it.
     #[domain(p.disk_mass > 0.0, p.disk_diametral_inertia > 0.0, p.disk_polar_inertia > 0.0, p.disk_position_ratio > 0.0, p.shaft_length > 0.0, p.shaft_radius > 0.0, p.shaft_youngs_modulus > 0.0, c.c11 >= 0.0, c.c22 >= 0.0, c.c33 >= 0.0, c.c44 >= 0.0)]
-    #[generate(stage(c.c11, c.c22, c.c33, c.c44))]
+    #[generate(chain(sir_width, cir_width), stage(c.c11, c.c22, c.c33, c.c44))]
     pub fn widths(p: &RotorParameters, s: &SectionLoads, c: &CrackCompliance) -> (f64, f64) {
         both_widths(&coefficients(p, &stiffness(p, s, c)))
     }

@@ -84,7 +84,7 @@ pub fn inputs_type(symbols: &[String]) -> TokenStream {
 }
 
 /// What the columns of these symbols are called: `c.beta` is `c_beta`, or `c_beta_` where another one is `c_beta`.
-fn fields(symbols: &[String]) -> Vec<Ident> {
+pub fn fields(symbols: &[String]) -> Vec<Ident> {
     // `simd` is what a body calls the instructions.
     let mut names: Vec<String> = Vec::new();
     for symbol in symbols {

@@ -1,6 +1,8 @@
 //! The staged form: a function for what stands still, and the bodies of two loops.
 
-use proc_macro2::TokenStream;
+use std::collections::BTreeMap;
+
+use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use super::columns;
@@ -18,10 +20,12 @@ pub fn module_name(symbols: &[String]) -> String {
     format!("along_{}", names.join("_and_"))
 }
 
-/// The module of a staged form; `inner` are the symbols that run along the points, `outputs` the names of the results.
+/// The module of a staged form; `own` are the symbols of the formula, `inner` those that run along the points, `outputs` the
+/// names of the results.
 pub fn module(
     staged: &Staged,
     function: &Function,
+    own: &[SymbolId],
     inner: &[SymbolId],
     outputs: &[String],
 ) -> TokenStream {
@@ -49,7 +53,12 @@ pub fn module(
     );
     let fixed_count = columns::literal(staged.fixed_symbols.len());
     let tables = columns::literal(staged.along_symbols.len());
-    let fixed = fixed(staged, function);
+    let still: Vec<SymbolId> = own
+        .iter()
+        .copied()
+        .filter(|symbol| !inner.contains(symbol))
+        .collect();
+    let fixed = fixed(staged, function, &still);
     let along = columns::kernel(graph, &staged.along, &format_ident!("Along"), &[], inner);
     let points = columns::kernel(
         graph,
@@ -81,21 +90,40 @@ pub fn module(
     }
 }
 
-fn fixed(staged: &Staged, function: &Function) -> TokenStream {
+/// What is computed once, from the parameters and from the numbers of the symbols that stand still.
+fn fixed(staged: &Staged, function: &Function, still: &[SymbolId]) -> TokenStream {
     let graph = &staged.graph;
-    let symbol = |symbol: SymbolId| scalar::symbol_tokens(graph, symbol);
     let parameters = scalar::parameters(function);
-    let taken = function
-        .parameters
+    let names = columns::fields(&columns::names_of(graph, still));
+    let numbers = still
         .iter()
-        .map(|parameter| parameter.name.to_string());
+        .map(|symbol| scalar::symbol_tokens(graph, *symbol));
+    let of_symbol: BTreeMap<SymbolId, &Ident> = still.iter().copied().zip(&names).collect();
+    let symbol = |symbol: SymbolId| {
+        of_symbol
+            .get(&symbol)
+            .map_or_else(TokenStream::new, |name| quote!(#name))
+    };
+    let taken = names.iter().map(ToString::to_string);
     let Body {
         statements,
         outputs,
     } = Writer::new(graph, &staged.fixed, &symbol, taken).body();
+    let count = columns::literal(still.len());
+    let listed = columns::names_of(graph, still).join("`, `");
+    let doc = format!(" [`fixed()`] from its numbers: `{listed}`.");
+    // Nothing is taken apart where there is nothing.
+    let opened = (!names.is_empty()).then(|| quote!(let [#(#names),*] = *numbers;));
     quote! {
         #[inline]
         pub fn fixed(#parameters) -> [f64; FIXED] {
+            fixed_of(&[#(#numbers),*])
+        }
+
+        #[doc = #doc]
+        #[inline]
+        pub fn fixed_of(numbers: &[f64; #count]) -> [f64; FIXED] {
+            #opened
             #(#statements)*
             [#(#outputs),*]
         }

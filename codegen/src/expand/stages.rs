@@ -5,7 +5,7 @@ use quote::format_ident;
 
 use super::fallback::staged_stub;
 use super::text::output_names;
-use super::{Expansion, derive, derive_written};
+use super::{Expansion, Formula, derive, derive_written};
 use crate::emit::namer::{pack_table_function, table_function};
 use crate::emit::scalar::Form;
 use crate::emit::staged;
@@ -16,18 +16,24 @@ use crate::parse::module::Function;
 use crate::stage::{self, Staged};
 
 impl Expansion {
-    /// The module of a staged form.
-    pub fn staged_item(&mut self, function: &Function, request: &StageRequest) -> TokenStream {
-        match self.staged(function, request) {
-            Some((staged, inner, outputs)) => {
-                self.use_tables(&staged.graph, &staged.fixed);
-                for circuit in [&staged.along, &staged.points] {
-                    self.use_tables_in_packs(&staged.graph, circuit);
-                }
-                staged::module(&staged, function, &inner, &outputs)
-            }
-            None => staged_stub(function, request),
+    /// The module of a staged form, and what it costs for every value of what runs along and at every point.
+    pub fn staged_item(
+        &mut self,
+        function: &Function,
+        request: &StageRequest,
+    ) -> (TokenStream, [usize; 2]) {
+        let Some((staged, inner, outputs)) = self.staged(function, request) else {
+            return (staged_stub(function, request), [0; 2]);
+        };
+        self.use_tables(&staged.graph, &staged.fixed);
+        for circuit in [&staged.along, &staged.points] {
+            self.use_tables_in_packs(&staged.graph, circuit);
         }
+        let own = self.formula(&function.name()).map(Formula::inputs);
+        let own = own.unwrap_or_default();
+        let module = staged::module(&staged, function, &own, &inner, &outputs);
+        let weights = [&staged.along, &staged.points].map(|circuit| circuit.cost().weight());
+        (module, weights)
     }
 
     /// A function in stages, its inner symbols, and the names of its results. None where it could not be read or a name is

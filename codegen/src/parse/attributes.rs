@@ -47,8 +47,19 @@ pub struct Request {
     pub columns: bool,
     /// The value in stages, each along its inner parameters.
     pub stages: Vec<StageRequest>,
+    /// Whether it takes part in the chain of its module, and what its results are called there.
+    pub chain: Option<ChainRequest>,
     /// Greatest counts of the richest form asked for; partials that formulas call are forms of their own.
     pub budget: Vec<Limit>,
+}
+
+/// A part in the chain of a module: `chain` or `chain(first, second)`.
+#[derive(Clone, Debug)]
+pub struct ChainRequest {
+    /// What the results are called, in order; without, a number has the name of its formula, a struct's those of its fields.
+    pub names: Vec<String>,
+    /// Where it is asked for.
+    pub span: Span,
 }
 
 /// A staged form.
@@ -58,6 +69,16 @@ pub struct StageRequest {
     pub inner: Vec<Target>,
     /// Where it is asked for.
     pub span: Span,
+}
+
+impl StageRequest {
+    /// The names of the parameters that run along the points.
+    pub fn symbols(&self) -> Vec<String> {
+        self.inner
+            .iter()
+            .map(|target| target.symbol.clone())
+            .collect()
+    }
 }
 
 impl Request {
@@ -212,7 +233,9 @@ fn head(expression: &Expr) -> Option<(&Ident, Vec<&Expr>)> {
     }
 }
 
-const FORMS: [&str; 6] = ["value", "gradient", "hessian", "columns", "stage", "budget"];
+const FORMS: [&str; 7] = [
+    "value", "gradient", "hessian", "columns", "stage", "chain", "budget",
+];
 
 fn request(words: &[Expr], span: Span, diagnostics: &mut Diagnostics) -> Request {
     let mut request = Request::default();
@@ -249,6 +272,7 @@ fn request(words: &[Expr], span: Span, diagnostics: &mut Diagnostics) -> Request
             "gradient" => request.gradient = Some(targets(&arguments, diagnostics)),
             "hessian" => request.hessian = Some(targets(&arguments, diagnostics)),
             "stage" => request.stages.extend(stage(name, &arguments, diagnostics)),
+            "chain" => request.chain = Some(chain(name, &arguments, diagnostics)),
             "budget" => budget(&mut request.budget, name, &arguments, diagnostics),
             other => {
                 let hint = nearest(other, FORMS).map_or_else(
@@ -269,6 +293,26 @@ fn request(words: &[Expr], span: Span, diagnostics: &mut Diagnostics) -> Request
         );
     }
     request
+}
+
+fn chain(name: &Ident, arguments: &[&Expr], diagnostics: &mut Diagnostics) -> ChainRequest {
+    let mut names = Vec::new();
+    for argument in arguments {
+        match argument {
+            Expr::Path(path) if path.path.get_ident().is_some() => {
+                names.extend(path.path.get_ident().map(ToString::to_string));
+            }
+            other => diagnostics.error_with_hint(
+                other.span(),
+                "not the name of a result",
+                "write for example chain(first_width, second_width)",
+            ),
+        }
+    }
+    ChainRequest {
+        names,
+        span: name.span(),
+    }
 }
 
 fn stage(name: &Ident, arguments: &[&Expr], diagnostics: &mut Diagnostics) -> Option<StageRequest> {
