@@ -12,7 +12,9 @@ use std::sync::mpsc;
 
 use rotor_core::input::RotorParameters;
 use rotor_core::jeffcott::rotor::Rotor;
-use rotor_core::quantity::{self, Quantity, Reason};
+use rotor_core::quantity::Quantity;
+use rotor_core::study;
+use rotor_core::study::Reason;
 use rotor_core::study::table::TableError;
 
 use crate::command_line::EvaluateArguments;
@@ -340,7 +342,7 @@ impl Evaluation {
         let parameters = self.columns.parameters(row, &self.base)?;
         let rotor = Rotor::new(parameters).map_err(|error| error.to_string())?;
         let mut reasons: Vec<String> = Vec::new();
-        let results = quantity::evaluate(&self.quantities, &rotor);
+        let results = study::evaluate(&self.quantities, &rotor);
         let values = self
             .quantities
             .iter()

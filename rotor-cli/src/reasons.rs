@@ -3,7 +3,8 @@
 use rotor_core::equations::Coefficients;
 use rotor_core::error::StabilityError;
 use rotor_core::jeffcott::region::{self, NoEnds, NoRegion, RegionKind};
-use rotor_core::quantity::{Quantity, Reason};
+use rotor_core::quantity::Quantity;
+use rotor_core::study::Reason;
 
 /// Why a quantity is missing.
 pub(crate) fn of_quantity(reason: &Reason) -> String {

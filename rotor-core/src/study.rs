@@ -34,6 +34,7 @@
 mod axis;
 mod chunk;
 mod error;
+mod one;
 mod reduce;
 mod run;
 mod sample;
@@ -50,6 +51,7 @@ pub use crate::input::Variable;
 pub use axis::Axis;
 pub use chunk::{Chunk, Column, Counts, POINTS_PER_CHUNK};
 pub use error::ScanError;
+pub use one::{Reason, evaluate, evaluate_at};
 pub use reduce::{MOST_BINS, MOST_RESULTS, Reduced, Reduction, Reductions};
 pub use run::{Cancel, Chunks, Control, Report, Saved, Stopped};
 pub use sample::{Distribution, Sampling};

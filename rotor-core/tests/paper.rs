@@ -12,7 +12,8 @@ use rotor_core::input::RotorParameters;
 use rotor_core::jeffcott::region::{self, RegionKind};
 use rotor_core::jeffcott::rotor::Rotor;
 use rotor_core::jeffcott::zup::{zup_depth, zup_position};
-use rotor_core::quantity::{Quantity, evaluate};
+use rotor_core::quantity::Quantity;
+use rotor_core::study::evaluate;
 
 fn paper() -> Rotor {
     Rotor::new(RotorParameters::PAPER).expect("the paper's rotor is valid")

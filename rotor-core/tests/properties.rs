@@ -15,7 +15,8 @@ use rotor_core::jeffcott::exact::simple_region_ends;
 use rotor_core::jeffcott::region::{self, RegionKind};
 use rotor_core::jeffcott::rotor::Rotor;
 use rotor_core::jeffcott::zup::{ZeroUnstablePoint, zup_angle, zup_depth, zup_position};
-use rotor_core::quantity::{Quantity, evaluate};
+use rotor_core::quantity::Quantity;
+use rotor_core::study::evaluate;
 
 const SIMPLE_AND_COMBINATION: [RegionKind; 2] = [RegionKind::Simple, RegionKind::Combination];
 

@@ -10,7 +10,8 @@ use std::path::Path;
 
 use rotor_core::input::{INPUTS, RotorParameters};
 use rotor_core::jeffcott::rotor::Rotor;
-use rotor_core::quantity::{Quantity, evaluate};
+use rotor_core::quantity::Quantity;
+use rotor_core::study::evaluate;
 
 /// Every quantity of every rotor has to be within this.
 const EVERY: f64 = 1e-10;

@@ -4,7 +4,8 @@
 use rotor_core::input::Variable;
 use rotor_core::input::{CrackModel, INPUTS, NumericInput, RotorParameters};
 use rotor_core::jeffcott::rotor::Rotor;
-use rotor_core::quantity::{self, Quantity};
+use rotor_core::quantity::Quantity;
+use rotor_core::study;
 use rotor_core::study::{Axis, Distribution, Plan, Sampling, Scan};
 
 const WIDTHS: [Quantity; 2] = [Quantity::SirWidth, Quantity::CirWidth];
@@ -49,7 +50,7 @@ fn assert_as_by_points(base: RotorParameters, input: &'static NumericInput, ends
                 let mut p = base;
                 p.crack_angle = ANGLES[row];
                 (input.set)(&mut p, axis.value(0, point));
-                let expected = Rotor::new(p).map(|rotor| quantity::evaluate(quantities, &rotor));
+                let expected = Rotor::new(p).map(|rotor| study::evaluate(quantities, &rotor));
                 for number in 0..quantities.len() {
                     let found = found[number][row * COUNT as usize + point as usize];
                     let expected = expected
@@ -131,7 +132,7 @@ fn inputs_that_vary_together_are_as_by_points() {
             };
             (varied.set)(&mut p, axis.value(0, point));
         }
-        let expected = quantity::evaluate(&WIDTHS, &Rotor::new(p).unwrap());
+        let expected = study::evaluate(&WIDTHS, &Rotor::new(p).unwrap());
         for (found, expected) in found.iter().zip(expected) {
             let ratio = found[point as usize].unwrap() / expected.unwrap();
             assert!((ratio - 1.0).abs() < 1e-12, "{point}: {ratio}");

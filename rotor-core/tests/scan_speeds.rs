@@ -5,7 +5,9 @@ use rotor_core::input::Variable;
 use rotor_core::input::{NumericInput, RotorParameters};
 use rotor_core::jeffcott::exact;
 use rotor_core::jeffcott::rotor::Rotor;
-use rotor_core::quantity::{self, Quantity, Reason};
+use rotor_core::quantity::Quantity;
+use rotor_core::study;
+use rotor_core::study::Reason;
 use rotor_core::study::table::{self, Column};
 use rotor_core::study::{
     Axis, Control, Distribution, Plan, Reduction, Sampling, Scan, ScanError, Statistic,
@@ -49,7 +51,7 @@ fn at(depth: f64, speed: f64) -> Vec<Option<f64>> {
     let rotor = Rotor::default()
         .with(|p| p.crack_depth_ratio = depth)
         .unwrap();
-    let values = quantity::evaluate_at(&ASKED, &rotor, Some(speed));
+    let values = study::evaluate_at(&ASKED, &rotor, Some(speed));
     values.into_iter().map(Result::ok).collect()
 }
 

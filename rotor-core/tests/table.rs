@@ -4,7 +4,8 @@
 use proptest::prelude::*;
 use rotor_core::input::{CrackEdge, CrackModel, INPUTS, NumericInput, RotorParameters};
 use rotor_core::jeffcott::rotor::Rotor;
-use rotor_core::quantity::{self, Quantity};
+use rotor_core::quantity::Quantity;
+use rotor_core::study;
 use rotor_core::study::table::{Column, TableError, evaluate};
 
 fn input(name: &str) -> &'static NumericInput {
@@ -104,7 +105,7 @@ fn a_table_longer_than_a_block_is_whole() {
         let rotor = Rotor::default()
             .with(|p| p.crack_angle = angles[row])
             .unwrap();
-        let expected = quantity::evaluate(&quantities, &rotor);
+        let expected = study::evaluate(&quantities, &rotor);
         for (found, expected) in found.iter().zip(expected) {
             assert_eq!(found[row], expected.unwrap());
         }

@@ -1,7 +1,8 @@
 //! A shallow crack keeps its digits: the variations ε of the stiffness are differences of two nearly equal inverses.
 
 use rotor_core::jeffcott::rotor::Rotor;
-use rotor_core::quantity::{Quantity, evaluate};
+use rotor_core::quantity::Quantity;
+use rotor_core::study::evaluate;
 use rotor_tests::{number, parameters, relative_error, table};
 
 #[test]

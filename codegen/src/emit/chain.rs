@@ -14,6 +14,7 @@ pub fn module(chain: &Chain) -> TokenStream {
     let of_results = " A formula that gives results.";
     let formulas = links("Formula", of_results, &chain.formulas, chain);
     let staged = staged(chain);
+    let structures = structures(chain);
     quote! {
         /// From the inputs to every result, formula by formula: what each takes, gives and depends on, and the kernels that
         /// compute it.
@@ -25,6 +26,7 @@ pub fn module(chain: &Chain) -> TokenStream {
             #stages
             #formulas
             #staged
+            #(#structures)*
         }
     }
 }
@@ -260,6 +262,56 @@ fn staged(chain: &Chain) -> TokenStream {
             }
         }
     }
+}
+
+/// For each struct that stages give, the way to its numbers and back, in the order of their columns.
+fn structures(chain: &Chain) -> Vec<TokenStream> {
+    let mut found: Vec<&str> = Vec::new();
+    let mut items = Vec::new();
+    for link in &chain.stages {
+        let Some(structure) = link.member.structure.as_deref() else {
+            continue;
+        };
+        if found.contains(&structure) {
+            continue;
+        }
+        found.push(structure);
+        let (ident, count) = (format_ident!("{structure}"), literal(link.gives.len()));
+        let fields = link.member.gives.iter();
+        let fields: Vec<Ident> = fields
+            .map(|given| format_ident!("{}", given.name))
+            .collect();
+        let trait_doc = format!(" [`{structure}`] as its numbers, in the order of their columns.");
+        let (numbers, from) = (
+            format_ident!("numbers_of_{}", snake(structure)),
+            format_ident!("{}_of_numbers", snake(structure)),
+        );
+        items.push(quote! {
+            #[doc = #trait_doc]
+            pub const fn #numbers(of: &#ident) -> [f64; #count] {
+                [#(of.#fields),*]
+            }
+
+            #[doc = #trait_doc]
+            pub const fn #from(numbers: &[f64; #count]) -> #ident {
+                let [#(#fields),*] = *numbers;
+                #ident { #(#fields),* }
+            }
+        });
+    }
+    items
+}
+
+/// `SectionLoads` in the name of a function, `section_loads`.
+fn snake(name: &str) -> String {
+    let mut snake = String::new();
+    for letter in name.chars() {
+        if letter.is_ascii_uppercase() && !snake.is_empty() {
+            snake.push('_');
+        }
+        snake.push(letter.to_ascii_lowercase());
+    }
+    snake
 }
 
 /// How the bodies of a staged form are reached.

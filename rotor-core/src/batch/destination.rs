@@ -3,82 +3,75 @@
 use lanes::{ALL, Kernel, Level, Pack, Simd, store};
 
 use crate::batch::extremes::Extremes;
-use crate::batch::statistic::{Gaps, Reducer, WithGaps, WithoutGaps};
+use crate::batch::statistic::{Gaps, Reducer};
 
 use super::list::{FINITE, SIZES, Test, require};
 
-/// What the numbers of a quantity are.
-pub(super) trait Kind {
-    /// Whether they may be NaN, where the quantity does not exist.
-    type Gaps: Gaps;
-    /// What they have to be: where one is not, the quantity may not exist.
-    const TEST: Option<&'static Test> = None;
+/// What the numbers of a quantity have to be.
+#[derive(Clone, Copy)]
+pub(super) struct Requirement {
+    /// Where one does not pass, the quantity may not exist.
+    test: Option<&'static Test>,
     /// Whether a zero may be among them, which has no sign.
-    const HAS_ZEROS: bool = true;
+    has_zeros: bool,
 }
 
 /// They are positive, with all their digits.
-pub(super) struct Positive;
-
-impl Kind for Positive {
-    type Gaps = WithoutGaps;
-    const TEST: Option<&'static Test> = Some(&SIZES);
-    const HAS_ZEROS: bool = false;
-}
+pub(super) const POSITIVE_NUMBER: Requirement = Requirement {
+    test: Some(&SIZES),
+    has_zeros: false,
+};
 
 /// They are finite.
-pub(super) struct Finite;
-
-impl Kind for Finite {
-    type Gaps = WithoutGaps;
-    const TEST: Option<&'static Test> = Some(&FINITE);
-}
+pub(super) const FINITE_NUMBER: Requirement = Requirement {
+    test: Some(&FINITE),
+    has_zeros: true,
+};
 
 /// They are finite where the quantity exists, and NaN elsewhere.
-pub(super) struct Partial;
-
-impl Kind for Partial {
-    type Gaps = WithGaps;
-}
+pub(super) const PARTIAL: Requirement = Requirement {
+    test: None,
+    has_zeros: true,
+};
 
 /// Takes what kernels give along columns of a block. None where that cannot be done.
 pub(super) trait Destination {
-    /// One result: the quantity at a place among those asked for.
-    fn single<K, T, const FIXED: usize, const ALONG: usize>(
+    /// Takes results, each for a place among the quantities asked for, or for none.
+    fn take<K, G, const FIXED: usize, const ALONG: usize, const RESULTS: usize>(
         &mut self,
-        place: usize,
+        places: [Option<usize>; RESULTS],
+        requirement: Requirement,
         fixed: &[f64; FIXED],
         along: [&[f64]; ALONG],
     ) -> Option<()>
     where
-        K: Kernel<FIXED, ALONG, 1>,
-        T: Kind;
+        K: Kernel<FIXED, ALONG, RESULTS>,
+        G: Gaps;
 
-    /// Two results, of which one need not be asked for.
-    fn pair<K, T, const FIXED: usize, const ALONG: usize>(
+    /// Takes a number that all points have; `along` is any column of them.
+    fn same<G: Gaps>(
         &mut self,
-        places: [Option<usize>; 2],
-        fixed: &[f64; FIXED],
-        along: [&[f64]; ALONG],
-    ) -> Option<()>
-    where
-        K: Kernel<FIXED, ALONG, 2>,
-        T: Kind;
-
-    /// A number that all points have; `along` is any column of them.
-    fn same<T: Kind>(&mut self, place: usize, number: f64, along: &[f64]) -> Option<()> {
-        self.single::<Same, T, 1, 1>(place, &[number], [along])
+        place: Option<usize>,
+        requirement: Requirement,
+        number: f64,
+        along: &[f64],
+    ) -> Option<()> {
+        self.take::<Same, G, 1, 1, 1>([place], requirement, &[number], [along])
     }
 
-    /// Two results whose squares another kernel gives, where these are enough; whether they are.
-    fn squares<K, const FIXED: usize, const ALONG: usize>(
+    /// Whether only the extremes are wanted, for which the squares of positive results are enough.
+    fn is_of_extremes(&self) -> bool;
+
+    /// Takes the squares of results, where only extremes are wanted.
+    fn take_squares<K, const FIXED: usize, const ALONG: usize, const RESULTS: usize>(
         &mut self,
-        places: [Option<usize>; 2],
+        places: [Option<usize>; RESULTS],
+        requirement: Requirement,
         fixed: &[f64; FIXED],
         along: [&[f64]; ALONG],
-    ) -> Option<bool>
+    ) -> Option<()>
     where
-        K: Kernel<FIXED, ALONG, 2>;
+        K: Kernel<FIXED, ALONG, RESULTS>;
 }
 
 /// The fixed number.
@@ -102,13 +95,13 @@ pub(super) struct Columns<'a, 'b> {
 }
 
 impl Columns<'_, '_> {
-    fn check<T: Kind>(&mut self, place: usize) {
+    fn check<G: Gaps>(&mut self, place: usize, requirement: Requirement) {
         let values = &mut *self.results[place];
-        if let Some(test) = T::TEST {
+        if let Some(test) = requirement.test {
             self.all_are_known &= require(values, self.known, test);
         }
-        self.has_gaps |= T::Gaps::HAS_GAPS;
-        if T::HAS_ZEROS {
+        self.has_gaps |= G::HAS_GAPS;
+        if requirement.has_zeros {
             // A zero has no sign.
             values.iter_mut().for_each(|value| *value += 0.0);
         }
@@ -116,133 +109,111 @@ impl Columns<'_, '_> {
 }
 
 impl Destination for Columns<'_, '_> {
-    fn single<K, T, const FIXED: usize, const ALONG: usize>(
+    fn take<K, G, const FIXED: usize, const ALONG: usize, const RESULTS: usize>(
         &mut self,
-        place: usize,
+        places: [Option<usize>; RESULTS],
+        requirement: Requirement,
         fixed: &[f64; FIXED],
         along: [&[f64]; ALONG],
     ) -> Option<()>
     where
-        K: Kernel<FIXED, ALONG, 1>,
-        T: Kind,
-    {
-        let result = [&mut *self.results[place]];
-        store::<K, ALL, FIXED, ALONG, 1>(Level::best(), fixed, along, result).ok()?;
-        self.check::<T>(place);
-        Some(())
-    }
-
-    fn pair<K, T, const FIXED: usize, const ALONG: usize>(
-        &mut self,
-        places: [Option<usize>; 2],
-        fixed: &[f64; FIXED],
-        along: [&[f64]; ALONG],
-    ) -> Option<()>
-    where
-        K: Kernel<FIXED, ALONG, 2>,
-        T: Kind,
+        K: Kernel<FIXED, ALONG, RESULTS>,
+        G: Gaps,
     {
         const FIRST: u64 = 0b01;
         const SECOND: u64 = 0b10;
-        let mut slices = [&mut [][..], &mut []];
+        let mut slices = [(); RESULTS].map(|()| &mut [][..]);
         for (place, result) in self.results.iter_mut().enumerate() {
             if let Some(number) = places.iter().position(|known| *known == Some(place)) {
                 slices[number] = &mut **result;
             }
         }
         let level = Level::best();
-        let stored = match places {
-            [Some(_), None] => store::<K, FIRST, FIXED, ALONG, 2>(level, fixed, along, slices),
-            [None, Some(_)] => store::<K, SECOND, FIXED, ALONG, 2>(level, fixed, along, slices),
-            _ => store::<K, ALL, FIXED, ALONG, 2>(level, fixed, along, slices),
+        let wanted = places
+            .iter()
+            .enumerate()
+            .filter(|(_, place)| place.is_some());
+        let stored = match wanted.fold(0, |wanted, (result, _)| wanted | 1 << result) {
+            FIRST => store::<K, FIRST, FIXED, ALONG, RESULTS>(level, fixed, along, slices),
+            SECOND => store::<K, SECOND, FIXED, ALONG, RESULTS>(level, fixed, along, slices),
+            _ => store::<K, ALL, FIXED, ALONG, RESULTS>(level, fixed, along, slices),
         };
         stored.ok()?;
         for place in places.into_iter().flatten() {
-            self.check::<T>(place);
+            self.check::<G>(place, requirement);
         }
         Some(())
     }
 
-    fn squares<K, const FIXED: usize, const ALONG: usize>(
+    fn is_of_extremes(&self) -> bool {
+        false
+    }
+
+    fn take_squares<K, const FIXED: usize, const ALONG: usize, const RESULTS: usize>(
         &mut self,
-        _: [Option<usize>; 2],
+        _: [Option<usize>; RESULTS],
+        _: Requirement,
         _: &[f64; FIXED],
         _: [&[f64]; ALONG],
-    ) -> Option<bool>
+    ) -> Option<()>
     where
-        K: Kernel<FIXED, ALONG, 2>,
+        K: Kernel<FIXED, ALONG, RESULTS>,
     {
-        Some(false)
+        None
     }
 }
 
 /// Numbers that may not be what they are for that rotor alone cannot be reduced.
-fn checked<T: Kind, const RESULTS: usize>(
+fn checked<const RESULTS: usize>(
     extremes: [Extremes; RESULTS],
     places: [Option<usize>; RESULTS],
+    requirement: Requirement,
 ) -> Option<()> {
-    let mut wanted = extremes
-        .iter()
-        .zip(places)
-        .filter(|(_, place)| place.is_some());
-    let holds = |extremes: &Extremes| T::TEST.is_none_or(|test| (test.of_all)(extremes));
+    let all = extremes.iter().zip(places);
+    let mut wanted = all.filter(|(_, place)| place.is_some());
+    let holds = |extremes: &Extremes| requirement.test.is_none_or(|test| (test.of_all)(extremes));
     wanted.all(|(extremes, _)| holds(extremes)).then_some(())
 }
 
 impl Destination for Reducer {
-    fn single<K, T, const FIXED: usize, const ALONG: usize>(
+    fn take<K, G, const FIXED: usize, const ALONG: usize, const RESULTS: usize>(
         &mut self,
-        place: usize,
+        places: [Option<usize>; RESULTS],
+        requirement: Requirement,
         fixed: &[f64; FIXED],
         along: [&[f64]; ALONG],
     ) -> Option<()>
     where
-        K: Kernel<FIXED, ALONG, 1>,
-        T: Kind,
+        K: Kernel<FIXED, ALONG, RESULTS>,
+        G: Gaps,
     {
-        let places = [Some(place)];
-        checked::<T, 1>(
-            self.take::<K, T::Gaps, FIXED, ALONG, 1>(places, fixed, along)?,
-            places,
-        )
+        let extremes = self.reduce::<K, G, FIXED, ALONG, RESULTS>(places, fixed, along)?;
+        checked(extremes, places, requirement)
     }
 
-    fn pair<K, T, const FIXED: usize, const ALONG: usize>(
+    fn is_of_extremes(&self) -> bool {
+        self.wants_extremes_alone()
+    }
+
+    fn take_squares<K, const FIXED: usize, const ALONG: usize, const RESULTS: usize>(
         &mut self,
-        places: [Option<usize>; 2],
+        places: [Option<usize>; RESULTS],
+        requirement: Requirement,
         fixed: &[f64; FIXED],
         along: [&[f64]; ALONG],
     ) -> Option<()>
     where
-        K: Kernel<FIXED, ALONG, 2>,
-        T: Kind,
+        K: Kernel<FIXED, ALONG, RESULTS>,
     {
-        checked::<T, 2>(
-            self.take::<K, T::Gaps, FIXED, ALONG, 2>(places, fixed, along)?,
-            places,
-        )
-    }
-
-    fn squares<K, const FIXED: usize, const ALONG: usize>(
-        &mut self,
-        places: [Option<usize>; 2],
-        fixed: &[f64; FIXED],
-        along: [&[f64]; ALONG],
-    ) -> Option<bool>
-    where
-        K: Kernel<FIXED, ALONG, 2>,
-    {
-        if !self.is_of_extremes() {
-            return Some(false);
-        }
         let rows = along.first().map_or(0, |column| column.len());
-        let roots = Extremes::along::<K, FIXED, ALONG, 2>(fixed, along).map(Extremes::of_roots);
-        checked::<Positive, 2>(roots, places)?;
+        let roots =
+            Extremes::along::<K, FIXED, ALONG, RESULTS>(fixed, along).map(Extremes::of_roots);
+        checked(roots, places, requirement)?;
         for (place, roots) in places.iter().zip(roots) {
             if let Some(place) = place {
                 self.take_extremes(*place, roots, rows);
             }
         }
-        Some(true)
+        Some(())
     }
 }

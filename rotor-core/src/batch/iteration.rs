@@ -2,7 +2,7 @@
 
 use lanes::{Kernel, LONGEST, Pack, Simd};
 
-use crate::equations::Coefficients;
+use crate::equations::chain::coefficients_of_numbers;
 use crate::jeffcott::exact;
 use crate::jeffcott::region::{self, RegionKind};
 
@@ -38,7 +38,7 @@ pub(super) fn number_of(region: RegionKind) -> f64 {
 fn ends([region, numbers @ ..]: &[f64; 9]) -> [f64; 2] {
     let found = RegionKind::ALL
         .get(*region as usize)
-        .and_then(|kind| region::exact_ends(*kind, &coefficients(numbers)).ok());
+        .and_then(|kind| region::exact_ends(*kind, &coefficients_of_numbers(numbers)).ok());
     found.map_or([f64::NAN; 2], |ends| [ends.lower, ends.upper])
 }
 
@@ -53,31 +53,7 @@ impl Kernel<0, 9, 1> for GrowthRate {
 }
 
 fn growth_rate([numbers @ .., speed]: &[f64; 9]) -> [f64; 1] {
-    [exact::growth_rate(&coefficients(numbers), *speed).unwrap_or(f64::NAN)]
-}
-
-/// Coefficients from their numbers, in the order in which [`Coefficients`] has them.
-pub(super) const fn coefficients(numbers: &[f64; 8]) -> Coefficients {
-    let [
-        beta,
-        gamma,
-        delta,
-        epsilon_1,
-        epsilon_12,
-        epsilon_2,
-        disk_asymmetry,
-        crack_angle,
-    ] = *numbers;
-    Coefficients {
-        beta,
-        gamma,
-        delta,
-        epsilon_1,
-        epsilon_12,
-        epsilon_2,
-        disk_asymmetry,
-        crack_angle,
-    }
+    [exact::growth_rate(&coefficients_of_numbers(numbers), *speed).unwrap_or(f64::NAN)]
 }
 
 /// A function of the numbers of a row, for each row of a pack. Rows that repeat the one before, as those beyond the end of a

@@ -1,37 +1,35 @@
 //! The one place where many rotors are evaluated: the points of a scan, the rows of a table.
 //!
-//! A kernel belongs to what varies within a block and a list of quantities. [`Kernel::enter`] is called once for
-//! each block, for what depends on its values alone; then for each row, which is the block with other values of the remaining
-//! inputs, [`Kernel::evaluate`] where its numbers are wanted, or [`Kernel::reduce`] where what reductions keep of them is.
-//!
-//! Both run generated code in packs, equation by equation ([`chain`]) up to the last loop ([`quantities`]), whose numbers go
-//! where they are wanted ([`destination`]); what has no closed form is iterated there, point by point ([`iteration`]). Points that
-//! this leaves open are computed one by one: those at which a region may not exist, or with inputs far from those of any
-//! machine.
+//! [`Kernel::enter`] is called once for each block, for what depends on its values alone; then for each row, which is the block
+//! with other values of the remaining inputs, [`Kernel::evaluate`] where its numbers are wanted, or [`Kernel::reduce`] where what
+//! reductions keep of them is. Points that the packs leave open are computed one by one: those at which a region may not exist, or
+//! with inputs far from those of any machine.
 
 #[cfg(test)]
 mod tests;
 
 use crate::batch::extremes::Itself;
-use crate::batch::statistic::Reducer;
-use crate::input::Variable;
-use crate::input::{INPUTS, NumericInput, RotorParameters};
+use crate::batch::statistic::{Reducer, WithGaps};
+use crate::input::{INPUTS, NumericInput, RotorParameters, Variable};
 use crate::jeffcott::rotor::Rotor;
-use crate::quantity::{Quantity, Shared};
+use crate::quantity::Quantity;
 
-use super::chain::{Chain, Needs};
-use super::destination::{Columns, Destination, Partial};
+use super::destination::{Columns, Destination, PARTIAL};
+use super::evaluation::Evaluation;
 use super::list::List;
-use super::quantities::{self, AxisTables, Row, Widths};
+use super::numbers::{Numbers, Points, Trust};
+use super::one_rotor::OneRotor;
+use super::plan::{Digits, Plan, Varied};
+use super::row::{self, Row};
 use super::sizes::Sizes;
-use super::stage;
 
 /// The most points of a block.
 pub(crate) const POINTS_PER_BLOCK: usize = 4096;
 
-/// The most blocks whose tables are kept, for an axis of as many: rows go through all of them. With a chain each block has
-/// more than a megabyte of them, without a tenth of that. The rows of a table are no axis: no block comes again.
-const MOST_BLOCKS_WITH_CHAIN: usize = 8;
+/// The most blocks whose tables are kept, for an axis of as many: rows go through all of them. Where stages of the chain vary along
+/// a block it has more than a megabyte of numbers, and a tenth of that otherwise. The rows of a table are no axis: no block comes
+/// again.
+const MOST_BLOCKS_WITH_STAGES: usize = 8;
 const MOST_BLOCKS: usize = 96;
 
 /// Points that have the same values in every row.
@@ -45,12 +43,11 @@ struct Block {
     /// The points of plain values, and whether that is all of them.
     plain: Vec<bool>,
     all_are_plain: bool,
-    /// What depends on the values alone, and what on the row too; none where the coefficients are the same at all points.
-    tables: AxisTables,
-    chain: Option<Chain>,
-    asymmetry: List,
-    angle: List,
+    numbers: Numbers,
     speed: List,
+    /// The points whose polar inertia a rigid body may have, and the update of the row for which that was found.
+    inertia: Trust,
+    inertia_of: Option<u64>,
 }
 
 /// What came of a row of a block.
@@ -65,16 +62,17 @@ pub(crate) struct Evaluated {
 /// Evaluates quantities of blocks of rotors.
 pub(crate) struct Kernel<'a> {
     quantities: &'a [Quantity],
-    needs: Needs,
-    /// How widths are computed in stages; without, they have the digits that a rotor has alone.
-    widths: Option<Widths>,
+    plan: Plan,
+    digits: Digits,
     variables: Vec<Variable>,
-    /// Those that are inputs of the rotor.
+    /// Those that are inputs of the rotor, and the same as a set.
     inputs: Vec<&'static NumericInput>,
+    varied: u64,
     /// All others, with what is plain of them.
     fixed: Vec<(&'static NumericInput, Sizes)>,
-    /// Where the coefficients are the same at all points: how they come about in a row, whatever the block.
-    chain: Option<Chain>,
+    row: Row,
+    /// What is the same at all points of a row, whatever the block.
+    of_row: Numbers,
     /// The blocks that were entered last, and the one that it is about.
     blocks: Vec<Block>,
     current: usize,
@@ -89,45 +87,54 @@ pub(crate) struct Kernel<'a> {
 }
 
 impl<'a> Kernel<'a> {
-    /// A kernel for a block of a table. Quantities have the digits that they have for each rotor alone.
+    /// Creates a kernel for a block of a table. Quantities have the digits that they have for each rotor alone.
     pub(crate) fn of_table(
         inputs: impl IntoIterator<Item = &'static NumericInput>,
         quantities: &'a [Quantity],
     ) -> Self {
         let variables = inputs.into_iter().map(Variable::Input).collect();
-        Self::new(variables, quantities, None)
+        Self::new(variables, u64::MAX, quantities, Digits::OfOneRotor)
     }
 
-    /// A kernel for a block along an axis that has these variables, inside of an axis with those of `next`, if there is one.
+    /// Creates a kernel for a block along an axis that has these variables, inside of an axis with those of `next`, if there is
+    /// one.
     pub(crate) fn along(
         variables: impl IntoIterator<Item = Variable>,
         next: Option<impl IntoIterator<Item = Variable>>,
         quantities: &'a [Quantity],
     ) -> Self {
-        let variables: Vec<_> = variables.into_iter().collect();
-        let set = |inputs: Vec<&NumericInput>| {
-            let names: Vec<_> = inputs.iter().map(|input| input.name).collect();
-            stage::inputs(&names)
-        };
-        let varied = set(inputs_among(&variables));
-        let next = next.map(|next| set(inputs_among(&next.into_iter().collect::<Vec<_>>())));
-        let widths = quantities::widths_along(quantities, varied, next);
-        Self::new(variables, quantities, Some(widths))
+        let next = next.map(|next| {
+            let next: Vec<_> = next.into_iter().collect();
+            row::set(inputs_among(&next))
+        });
+        let variables = variables.into_iter().collect();
+        Self::new(
+            variables,
+            next.unwrap_or(u64::MAX),
+            quantities,
+            Digits::OfStages,
+        )
     }
 
-    fn new(variables: Vec<Variable>, quantities: &'a [Quantity], widths: Option<Widths>) -> Self {
+    fn new(
+        variables: Vec<Variable>,
+        next: u64,
+        quantities: &'a [Quantity],
+        digits: Digits,
+    ) -> Self {
         let inputs = inputs_among(&variables);
-        let names: Vec<_> = inputs.iter().map(|input| input.name).collect();
-        let varies = stage::inputs(&names) & stage::inputs_of_coefficients() != 0;
+        let block = row::set(inputs.iter().copied());
         let fixed = INPUTS.iter().filter(|input| !inputs.contains(input));
         Self {
             quantities,
-            needs: quantities::needs(quantities, widths),
-            widths,
+            plan: Plan::of(quantities, Varied { block, next }, digits),
+            digits,
             variables,
-            chain: (!varies).then(|| Chain::new(1, &inputs, None)),
             fixed: fixed.map(|input| (input, Sizes::of(input))).collect(),
             inputs,
+            varied: block,
+            row: Row::new(),
+            of_row: Numbers::new(1, []),
             blocks: Vec::new(),
             current: 0,
             entered: 0,
@@ -152,10 +159,15 @@ impl<'a> Kernel<'a> {
             fill(number, values);
         }
         let block = self.block(first, values);
-        let most = match (&self.chain, self.widths) {
-            (_, None) => 1,
-            (Some(_), _) => MOST_BLOCKS,
-            (None, _) => MOST_BLOCKS_WITH_CHAIN,
+        let stages_vary = self
+            .plan
+            .stages
+            .iter()
+            .any(|stage| stage.inputs() & self.varied != 0);
+        let most = match self.digits {
+            Digits::OfOneRotor => 1,
+            Digits::OfStages if stages_vary => MOST_BLOCKS_WITH_STAGES,
+            Digits::OfStages => MOST_BLOCKS,
         };
         if self.blocks.len() < most {
             self.current = self.blocks.len();
@@ -174,40 +186,28 @@ impl<'a> Kernel<'a> {
     fn block(&self, first: u64, values: Vec<Vec<f64>>) -> Block {
         let length = values.first().map_or(0, Vec::len);
         let mut plain = vec![true; length];
-        let (mut asymmetry, mut angle, mut speed) = Default::default();
-        let mut of_inputs = Vec::new();
+        let mut speed = List::default();
+        let mut columns = Vec::new();
         for (variable, values) in self.variables.iter().zip(&values) {
             let Variable::Input(input) = variable else {
                 speed = List::of(values.clone());
                 continue;
             };
-            match input.name {
-                "disk_asymmetry" => asymmetry = List::of(values.clone()),
-                "crack_angle" => angle = List::of(values.clone()),
-                _ => {}
-            }
             let sizes = Sizes::of(input);
             for (plain, value) in plain.iter_mut().zip(values) {
                 *plain &= sizes.contain(*value);
             }
-            of_inputs.push(values.as_slice());
+            columns.extend(row::column_of(input).map(|column| (column, values.clone())));
         }
-        let names: Vec<_> = self.inputs.iter().map(|input| input.name).collect();
-        let chain = self.chain.is_none();
-        let chain = chain.then(|| Chain::new(length, &self.inputs, Some(&of_inputs)));
         Block {
             first,
             entered: self.entered,
             all_are_plain: plain.iter().all(|plain| *plain),
             plain,
-            tables: match self.widths {
-                Some(_) => AxisTables::along(&names, &of_inputs),
-                None => AxisTables::None,
-            },
-            chain,
-            asymmetry,
-            angle,
+            numbers: Numbers::new(length, columns),
             speed,
+            inertia: Trust::default(),
+            inertia_of: None,
             values,
         }
     }
@@ -222,27 +222,8 @@ impl<'a> Kernel<'a> {
         speed: Option<f64>,
         results: &mut [&mut [f64]],
     ) -> Evaluated {
-        let (quantities, needs, widths) = (self.quantities, self.needs, self.widths);
         let mut known = std::mem::take(&mut self.known);
-        known.clear();
-        let evaluated = self.row(row, speed).and_then(|(mut points, plain)| {
-            known.extend_from_slice(plain);
-            let all = points.chain.trust(needs, &mut known)?;
-            if needs.iteration && !all {
-                return None;
-            }
-            let mut columns = Columns {
-                results,
-                known: &mut known,
-                all_are_known: all,
-                has_gaps: false,
-            };
-            match widths {
-                Some(widths) => points.evaluate(quantities, widths, &mut columns)?,
-                None => points.evaluate_alone(quantities, &mut columns)?,
-            }
-            Some((columns.all_are_known, !columns.has_gaps))
-        });
+        let evaluated = self.evaluate_in_packs(row, speed, &mut known, results);
         let (all_are_known, is_complete) = evaluated.unwrap_or_default();
         if evaluated.is_none() {
             known.clear();
@@ -257,6 +238,32 @@ impl<'a> Kernel<'a> {
             };
         }
         self.rest(row, speed, results)
+    }
+
+    /// Whether all points are known, and whether each has every quantity. None where packs cannot evaluate them.
+    fn evaluate_in_packs(
+        &mut self,
+        row: &RotorParameters,
+        speed: Option<f64>,
+        known: &mut Vec<bool>,
+        results: &mut [&mut [f64]],
+    ) -> Option<(bool, bool)> {
+        let quantities = self.quantities;
+        let (mut evaluation, plan, plain) = self.begin(row, speed)?;
+        known.clear();
+        known.extend_from_slice(plain);
+        let all = evaluation.trust(plan, known);
+        if plan.iteration && !all {
+            return None;
+        }
+        let mut columns = Columns {
+            results,
+            known,
+            all_are_known: all,
+            has_gaps: false,
+        };
+        evaluation.run(quantities, &plan.ways, &mut columns)?;
+        Some((columns.all_are_known, !columns.has_gaps))
     }
 
     /// Reduces the quantities of the block for the rotors of a row, as [`Kernel::evaluate`] has them; how many points are no
@@ -280,7 +287,8 @@ impl<'a> Kernel<'a> {
         let mut results: Vec<_> = columns.iter_mut().map(Vec::as_mut_slice).collect();
         let evaluated = self.evaluate(row, speed, &mut results);
         for (place, column) in columns.iter().enumerate() {
-            let reduced = reducer.single::<Itself, Partial, 0, 1>(place, &[], [column]);
+            let reduced =
+                reducer.take::<Itself, WithGaps, 0, 1, 1>([Some(place)], PARTIAL, &[], [column]);
             debug_assert!(reduced.is_some(), "a column has the length of itself");
         }
         self.columns = columns;
@@ -295,16 +303,16 @@ impl<'a> Kernel<'a> {
         reducer: &mut Reducer,
         begin: impl Fn(&mut Reducer),
     ) -> Option<()> {
-        if !self.all_are_plain() {
+        if !self.all_are_plain() || self.digits == Digits::OfOneRotor {
             return None;
         }
-        let (quantities, needs, widths) = (self.quantities, self.needs, self.widths?);
-        let (mut points, _) = self.row(row, speed)?;
-        if !points.chain.trust(needs, &mut [])? {
+        let quantities = self.quantities;
+        let (mut evaluation, plan, _) = self.begin(row, speed)?;
+        if !evaluation.trust(plan, &mut []) {
             return None;
         }
         begin(reducer);
-        points.evaluate(quantities, widths, reducer)
+        evaluation.run(quantities, &plan.ways, reducer)
     }
 
     fn length(&self) -> usize {
@@ -319,34 +327,38 @@ impl<'a> Kernel<'a> {
             .is_some_and(|block| block.all_are_plain)
     }
 
-    /// The points of the block in a row, and which are plain. None where the row is not.
-    fn row(&mut self, row: &RotorParameters, speed: Option<f64>) -> Option<(Row<'_>, &[bool])> {
+    /// The points of the block in a row with their stages computed, and which are plain. None where the row is not.
+    fn begin(
+        &mut self,
+        row: &RotorParameters,
+        speed: Option<f64>,
+    ) -> Option<(Evaluation<'_>, &Plan, &[bool])> {
         if !self.is_plain(row) {
             return None;
         }
+        self.row.update(row);
         let block = self.blocks.get_mut(self.current)?;
-        let chain = block.chain.as_mut().or(self.chain.as_mut())?;
-        chain.update(row);
-        for (list, number) in [
-            (&mut block.asymmetry, row.disk_asymmetry),
-            (&mut block.angle, row.crack_angle),
-        ] {
-            if list.is_same() {
-                list.set(number);
-            }
-        }
         if let Some(speed) = speed.filter(|_| block.speed.is_same()) {
             block.speed.set(speed);
         }
-        let points = Row {
-            chain,
-            tables: &block.tables,
-            asymmetry: &mut block.asymmetry,
-            angle: &mut block.angle,
+        let mut points = Points {
+            row: &self.row,
+            of_row: &mut self.of_row,
+            of_block: &mut block.numbers,
+            varied: self.varied,
+        };
+        points.compute(&self.plan.stages)?;
+        if block.inertia_of != Some(self.row.updates()) {
+            points.trust_inertia(self.plan.combination, &mut block.inertia);
+            block.inertia_of = Some(self.row.updates());
+        }
+        let evaluation = Evaluation {
+            points,
+            inertia: &block.inertia,
             speed: &mut block.speed,
             any: block.values.first()?,
         };
-        Some((points, &block.plain))
+        Some((evaluation, &self.plan, &block.plain))
     }
 
     /// Whether the inputs of a row are plain, but for those that vary.
@@ -372,7 +384,7 @@ impl<'a> Kernel<'a> {
         let mut no_rotor = 0;
         // Where the speed alone varies, all points are of one rotor.
         let rotor = Rotor::new(*row).ok().filter(|_| self.inputs.is_empty());
-        let of_all = rotor.as_ref().map(Shared::new);
+        let of_all = rotor.as_ref().map(OneRotor::new);
         for (point, known) in self.known.iter().enumerate() {
             if *known {
                 continue;
@@ -385,7 +397,7 @@ impl<'a> Kernel<'a> {
             }
             let rotor = Rotor::new(parameters);
             no_rotor += u64::from(rotor.is_err());
-            let alone = rotor.as_ref().ok().map(Shared::new);
+            let alone = rotor.as_ref().ok().map(OneRotor::new);
             for (quantity, result) in self.quantities.iter().zip(results.iter_mut()) {
                 let value = of_all.as_ref().or(alone.as_ref());
                 let value = value.and_then(|shared| shared.get(*quantity, speed).ok());

@@ -57,6 +57,18 @@ impl List {
         self.values.get(..points).unwrap_or_default()
     }
 
+    /// The numbers of so many points, of a list that has as many.
+    pub(super) fn first(&self, points: usize) -> &[f64] {
+        self.values.get(..points).unwrap_or_default()
+    }
+
+    /// Gives its memory away, for as many numbers.
+    pub(super) fn take(&mut self, points: usize) -> Vec<f64> {
+        let mut values = std::mem::take(&mut self.values);
+        values.resize(points, f64::NAN);
+        values
+    }
+
     /// Marks points false whose numbers do not pass a test; whether all do.
     pub(super) fn require(&self, points: &mut [bool], test: &Test) -> bool {
         if self.is_same {
@@ -88,33 +100,6 @@ pub(super) fn require(values: &[f64], points: &mut [bool], test: &Test) -> bool 
         all &= holds;
     }
     all
-}
-
-/// The numbers of so many points, of each list.
-pub(super) fn columns<const COUNT: usize>(
-    lists: &mut [List; COUNT],
-    points: usize,
-) -> [&[f64]; COUNT] {
-    lists.each_mut().map(|list| list.spread(points))
-}
-
-/// A number for all points in each list.
-pub(super) fn set<const COUNT: usize>(lists: &mut [List; COUNT], numbers: [f64; COUNT]) {
-    for (list, number) in lists.iter_mut().zip(numbers) {
-        list.set(number);
-    }
-}
-
-/// The lists for a kernel to write to.
-pub(super) fn written<const COUNT: usize>(
-    lists: &mut [List; COUNT],
-    points: usize,
-) -> [&mut [f64]; COUNT] {
-    lists.each_mut().map(|list| {
-        list.is_same = false;
-        list.values.resize(points, f64::NAN);
-        list.values.as_mut_slice()
-    })
 }
 
 /// What a number has to be, and what a column spans if that is certain of all of its numbers.

@@ -4,8 +4,6 @@ use std::ops::RangeInclusive;
 
 use crate::input::NumericInput;
 
-use super::stage::{INERTIA, MASS};
-
 /// The values of an input that are allowed, and of a size with which nothing leaves the range of numbers on the way to a
 /// quantity: from a tenth of a millimetre, or a gramme in a billion, to a thousand times what there is.
 pub(super) struct Sizes {
@@ -23,7 +21,9 @@ impl Sizes {
             "crack_angle" | "shaft_poissons_ratio" => (0.0, f64::INFINITY, true),
             "crack_depth_ratio" | "disk_asymmetry" => (1e-9, f64::INFINITY, true),
             "disk_position_ratio" | "crack_position_ratio" => (1e-4, 1.0 - 1e-4, false),
-            name if name == MASS || INERTIA.contains(&name) => (1e-12, LARGEST, false),
+            "disk_mass" | "disk_diametral_inertia" | "disk_polar_inertia" => {
+                (1e-12, LARGEST, false)
+            }
             _ => (1e-4, LARGEST, false),
         };
         Self {

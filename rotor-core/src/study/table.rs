@@ -67,7 +67,7 @@ pub enum TableError {
 
 /// Evaluates quantities of the rotors whose inputs are `base` but for those that have a column: for each quantity a
 /// column of its own, NaN in the rows whose rotor has no such quantity or that are no rotor.
-/// [`quantity::evaluate`](crate::quantity::evaluate) says why.
+/// [`evaluate`](crate::study::evaluate) says why.
 ///
 /// # Errors
 /// Where there is no column, columns differ in their lengths, two are of one input, or a quantity is at a speed.

@@ -1,4 +1,5 @@
 use super::*;
+use crate::batch::plan::Way;
 use crate::batch::statistic::Wanted;
 
 /// Values of an input around the paper's at which both regions exist.
@@ -73,16 +74,29 @@ fn where_a_point_has_no_region_columns_are_needed() {
 
 #[test]
 fn widths_are_computed_as_suits_the_next_row() {
+    use crate::equations::chain::Formula;
     let depth = NumericInput::find("crack_depth_ratio").unwrap();
     let quantities = [Quantity::SirWidth, Quantity::CirWidth];
     let angle = NumericInput::find("crack_angle").map(Variable::Input);
-    let along = |widths: Option<Variable>, quantities| {
-        Kernel::along([depth.into()], widths.map(|next| [next]), quantities).widths
+    let formula = |next: Option<Variable>, quantities| {
+        let kernel = Kernel::along([depth.into()], next.map(|next| [next]), quantities);
+        let mut formulas = kernel.plan.ways.into_iter().filter_map(|way| match way {
+            Way::Formula {
+                formula,
+                staged: Some(_),
+                ..
+            } => Some(formula),
+            _ => None,
+        });
+        formulas.next()
     };
-    assert_eq!(along(angle, &quantities), Some(Widths::FromCoefficients));
-    assert_eq!(along(None, &quantities), Some(Widths::FromCompliance));
+    // The next row has the same coefficients: their tables stay.
+    assert_eq!(formula(angle, &quantities), Some(Formula::BothWidths));
+    // Other coefficients, of which only the compliance varies along the row.
+    assert_eq!(formula(None, &quantities), Some(Formula::Widths));
+    // The coefficients are there anyway.
     let with_others = [Quantity::SirWidth, Quantity::Gamma];
-    assert_eq!(along(None, &with_others), Some(Widths::FromCoefficients));
+    assert_eq!(formula(None, &with_others), Some(Formula::BothWidths));
 }
 
 /// The bits of all quantities of a row along an input.
@@ -132,5 +146,53 @@ fn a_kernel_that_has_seen_other_rows_answers_as_a_new_one() {
                 );
             }
         }
+    }
+}
+
+#[test]
+fn the_compliance_along_the_depth_is_computed_once_for_all_rows() {
+    use crate::equations::chain::Stage::{
+        self, Coefficients, CrackCompliance, Stiffness, SupportArm,
+    };
+    let depth = NumericInput::find("crack_depth_ratio").unwrap();
+    let angle = NumericInput::find("crack_angle").map(Variable::Input);
+    let quantities = [Quantity::SirWidth, Quantity::ReferenceSpeed];
+    let mut kernel = Kernel::along([depth.into()], angle.map(|next| [next]), &quantities);
+    let mut row = RotorParameters::PAPER;
+    let mut renewed = |change: fn(&mut RotorParameters)| {
+        change(&mut row);
+        row_of(&mut kernel, &row, &[0.1, 0.2, 0.3]);
+        let update = Some(kernel.row.updates());
+        let numbers = [&kernel.of_row, &kernel.blocks[0].numbers];
+        let is_new = |stage: &Stage| {
+            numbers
+                .iter()
+                .any(|numbers| numbers.update_of(*stage) == update)
+        };
+        let all = Stage::ALL.into_iter();
+        all.filter(is_new).collect::<Vec<_>>()
+    };
+    let all = [CrackCompliance, SupportArm, Stiffness, Coefficients];
+    assert_eq!(renewed(|_| {}), all);
+    assert_eq!(renewed(|row| row.crack_angle = 0.4), []);
+    assert_eq!(renewed(|row| row.disk_asymmetry = 0.1), []);
+    assert_eq!(renewed(|row| row.disk_mass = 9.0), [Coefficients]);
+    let of_loads = [SupportArm, Stiffness, Coefficients];
+    assert_eq!(renewed(|row| row.crack_position_ratio = 0.4), of_loads);
+    let of_crack = [CrackCompliance, Stiffness, Coefficients];
+    assert_eq!(renewed(|row| row.shaft_radius = 0.01), of_crack);
+    assert_eq!(renewed(|row| row.disk_polar_inertia = 0.2), [Coefficients]);
+    // It varies along the axis.
+    assert_eq!(renewed(|row| row.crack_depth_ratio = 0.4), []);
+}
+
+#[test]
+fn every_input_has_a_column_and_every_closed_quantity_one_of_its_name() {
+    for input in &INPUTS {
+        assert!(row::column_of(input).is_some(), "{}", input.name);
+    }
+    for quantity in Quantity::ALL {
+        let is_iterated = quantity.needs_speed() || quantity.name().contains("exact");
+        assert_eq!(quantity.column().is_some(), !is_iterated, "{quantity}");
     }
 }

@@ -52,7 +52,7 @@ impl Reducer {
     }
 
     /// Whether only the extremes of a block are wanted.
-    pub(crate) fn is_of_extremes(&self) -> bool {
+    pub(crate) fn wants_extremes_alone(&self) -> bool {
         let of_rows = self.accumulators.iter().any(|of| !of.is_empty());
         self.wanted == Wanted::default() && !of_rows
     }
@@ -66,7 +66,7 @@ impl Reducer {
 
     /// Takes what a kernel gives along columns of one length; result number i is of the quantity number `quantities[i]`. With
     /// [`Gaps`] some may be NaN, and take no part. None where lengths differ.
-    pub(crate) fn take<K, G, const FIXED: usize, const ALONG: usize, const RESULTS: usize>(
+    pub(crate) fn reduce<K, G, const FIXED: usize, const ALONG: usize, const RESULTS: usize>(
         &mut self,
         quantities: [Option<usize>; RESULTS],
         fixed: &[f64; FIXED],
@@ -252,9 +252,9 @@ mod tests {
     fn take(reducer: &mut Reducer, values: &[f64], gaps: bool) {
         let places = [Some(0), Some(1)];
         let taken = if gaps {
-            reducer.take::<Squares, WithGaps, 0, 1, 2>(places, &[], [values])
+            reducer.reduce::<Squares, WithGaps, 0, 1, 2>(places, &[], [values])
         } else {
-            reducer.take::<Squares, WithoutGaps, 0, 1, 2>(places, &[], [values])
+            reducer.reduce::<Squares, WithoutGaps, 0, 1, 2>(places, &[], [values])
         };
         assert!(taken.is_some());
     }

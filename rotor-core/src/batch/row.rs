@@ -1,0 +1,98 @@
+//! The inputs of a row: what all points of a block share, and when each of it changed last.
+
+use std::sync::LazyLock;
+
+use crate::equations::chain::Column;
+use crate::input::{NumericInput, RotorParameters};
+
+/// The input that is in each of the chain's first columns; none for what is no number of its own, as the edge's factor.
+static INPUT_OF: LazyLock<[Option<&'static NumericInput>; Column::INPUTS]> =
+    LazyLock::new(|| std::array::from_fn(|place| NumericInput::find(Column::ALL[place].name())));
+
+/// The column of an input, if anything depends on it.
+pub(super) fn column_of(input: &NumericInput) -> Option<Column> {
+    let inputs = &Column::ALL[..Column::INPUTS];
+    let mut inputs = inputs.iter().copied();
+    inputs.find(|column| column.name() == input.name)
+}
+
+/// Inputs as a set, bit 0 for the first column of the chain.
+pub(super) fn set<'a>(inputs: impl IntoIterator<Item = &'a NumericInput>) -> u64 {
+    let columns = inputs.into_iter().filter_map(column_of);
+    columns.fold(0, |set, column| set | column.inputs())
+}
+
+/// The inputs of a row.
+#[derive(Clone, Debug)]
+pub(super) struct Row {
+    parameters: Option<RotorParameters>,
+    /// How many rows have had other inputs than the row before.
+    updates: u64,
+    numbers: [f64; Column::INPUTS],
+    /// The update with which each number, and the crack's model, changed last.
+    changed: [u64; Column::INPUTS],
+    model_changed: u64,
+}
+
+impl Row {
+    /// Creates a row without inputs.
+    pub(super) const fn new() -> Self {
+        Self {
+            parameters: None,
+            updates: 0,
+            numbers: [f64::NAN; Column::INPUTS],
+            changed: [0; Column::INPUTS],
+            model_changed: 0,
+        }
+    }
+
+    /// Takes the inputs of another row.
+    pub(super) fn update(&mut self, parameters: &RotorParameters) {
+        if self.parameters.as_ref() == Some(parameters) {
+            return;
+        }
+        self.updates += 1;
+        for (place, input) in INPUT_OF.iter().enumerate() {
+            let edge = || parameters.crack_edge.factor();
+            let number = input.map_or_else(edge, |input| (input.get)(parameters));
+            if number.to_bits() != self.numbers[place].to_bits() {
+                self.numbers[place] = number;
+                self.changed[place] = self.updates;
+            }
+        }
+        if self.parameters.map(|last| last.crack_model) != Some(parameters.crack_model) {
+            self.model_changed = self.updates;
+        }
+        self.parameters = Some(*parameters);
+    }
+
+    /// The number of an input.
+    pub(super) fn number(&self, input: Column) -> f64 {
+        self.numbers
+            .get(input as usize)
+            .copied()
+            .unwrap_or(f64::NAN)
+    }
+
+    /// The update with which one of these inputs changed last.
+    pub(super) fn changed(&self, inputs: u64) -> u64 {
+        let changes = self.changed.iter().enumerate();
+        let among = changes.filter(|(place, _)| inputs >> place & 1 == 1);
+        among.map(|(_, update)| *update).max().unwrap_or_default()
+    }
+
+    /// The update with which the crack's model changed last.
+    pub(super) const fn model_changed(&self) -> u64 {
+        self.model_changed
+    }
+
+    /// How many rows have had other inputs than the row before.
+    pub(super) const fn updates(&self) -> u64 {
+        self.updates
+    }
+
+    /// The inputs, of which those that vary are any.
+    pub(super) const fn parameters(&self) -> Option<&RotorParameters> {
+        self.parameters.as_ref()
+    }
+}
