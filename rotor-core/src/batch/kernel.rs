@@ -133,7 +133,7 @@ impl<'a> Kernel<'a> {
             fixed: fixed.map(|input| (input, Sizes::of(input))).collect(),
             inputs,
             varied: block,
-            row: Row::new(),
+            row: Row::new(block),
             of_row: Numbers::new(1, []),
             blocks: Vec::new(),
             current: 0,

@@ -400,7 +400,7 @@ impl Points<'_> {
             .along()
             .iter()
             .fold(0, |inputs, column| inputs | column.inputs());
-        let changed = self.row.changed(inputs & !self.varied);
+        let changed = self.row.changed(inputs);
         if self.of_block.tabulated[form as usize].is_none_or(|update| update < changed) {
             form.visit(Tabulating {
                 form,

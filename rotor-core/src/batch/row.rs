@@ -25,6 +25,8 @@ pub(super) fn set<'a>(inputs: impl IntoIterator<Item = &'a NumericInput>) -> u64
 /// The inputs of a row.
 #[derive(Clone, Debug)]
 pub(super) struct Row {
+    /// The inputs that vary along a block: those of the row are not looked at.
+    varied: u64,
     parameters: Option<RotorParameters>,
     /// How many rows have had other inputs than the row before.
     updates: u64,
@@ -35,9 +37,10 @@ pub(super) struct Row {
 }
 
 impl Row {
-    /// Creates a row without inputs.
-    pub(super) const fn new() -> Self {
+    /// Creates a row without inputs, of which these vary along a block.
+    pub(super) const fn new(varied: u64) -> Self {
         Self {
+            varied,
             parameters: None,
             updates: 0,
             numbers: [f64::NAN; Column::INPUTS],
@@ -55,7 +58,8 @@ impl Row {
         for (place, input) in INPUT_OF.iter().enumerate() {
             let edge = || parameters.crack_edge.factor();
             let number = input.map_or_else(edge, |input| (input.get)(parameters));
-            if number.to_bits() != self.numbers[place].to_bits() {
+            let varies = self.varied >> place & 1 == 1;
+            if !varies && number.to_bits() != self.numbers[place].to_bits() {
                 self.numbers[place] = number;
                 self.changed[place] = self.updates;
             }
