@@ -290,18 +290,21 @@ fn coefficients(depths: &[f64]) -> Result<Vec<Coefficients>, CaseError> {
         });
     let found = table::evaluate(&ROTOR, column.as_slice(), &ASKED)?;
     let row = |(row, depth): (usize, &f64)| {
-        let c = Coefficients {
-            beta: found[0][row],
-            gamma: found[1][row],
-            delta: found[2][row],
-            epsilon_1: found[3][row],
-            epsilon_12: found[4][row],
-            epsilon_2: found[5][row],
-            disk_asymmetry: ROTOR.disk_asymmetry,
-            crack_angle: ROTOR.crack_angle,
+        let number = |quantity| found.column(quantity).get(row);
+        let [beta, gamma, delta, epsilon_1, epsilon_12, epsilon_2] = std::array::from_fn(number);
+        let c = || {
+            Some(Coefficients {
+                beta: beta?,
+                gamma: gamma?,
+                delta: delta?,
+                epsilon_1: epsilon_1?,
+                epsilon_12: epsilon_12?,
+                epsilon_2: epsilon_2?,
+                disk_asymmetry: ROTOR.disk_asymmetry,
+                crack_angle: ROTOR.crack_angle,
+            })
         };
-        let exist = found.iter().all(|column| !column[row].is_nan());
-        exist.then_some(c).ok_or(CaseError::Rotor { depth: *depth })
+        c().ok_or(CaseError::Rotor { depth: *depth })
     };
     depths.iter().enumerate().map(row).collect()
 }

@@ -206,7 +206,10 @@ const CRACK_DEPTH: Allowed = Allowed {
 /// The numeric inputs in the order of the documentation, one row each. Validation, files, columns
 /// and help texts all read this table.
 #[rustfmt::skip]
-pub static INPUTS: [NumericInput; 12] = [
+pub static INPUTS: [NumericInput; TABLE.len()] = TABLE;
+
+#[rustfmt::skip]
+const TABLE: [NumericInput; 12] = [
     input!(disk_mass, "disk", "mass", "m_d", "kg", Allowed::POSITIVE, "mass of the disk"),
     input!(disk_diametral_inertia, "disk", "diametral_inertia", "I_d", "kg m²", Allowed::POSITIVE, "mean diametral inertia of the disk"),
     input!(disk_polar_inertia, "disk", "polar_inertia", "I_p", "kg m²", Allowed::POSITIVE, "polar inertia of the disk"),
@@ -231,6 +234,28 @@ impl NumericInput {
                     .is_some_and(|(section, key)| input.section == section && input.key == key)
         })
     }
+}
+
+/// The place in [`INPUTS`] of the input of a name, found while the crate is built.
+pub(crate) const fn place_of(name: &str) -> Option<usize> {
+    let mut place = 0;
+    while place < TABLE.len() {
+        if is_same(TABLE[place].name, name) {
+            return Some(place);
+        }
+        place += 1;
+    }
+    None
+}
+
+/// Whether two names are one; `==` is not to be had in constants.
+pub(crate) const fn is_same(one: &str, other: &str) -> bool {
+    let (one, other) = (one.as_bytes(), other.as_bytes());
+    let mut place = 0;
+    while place < one.len() && place < other.len() && one[place] == other[place] {
+        place += 1;
+    }
+    place == one.len() && place == other.len()
 }
 
 impl PartialEq for NumericInput {

@@ -2,11 +2,11 @@
 
 use std::fmt;
 use std::str::FromStr;
-use std::sync::LazyLock;
 
 use thiserror::Error;
 
 use crate::equations::chain::Column;
+use crate::input::is_same;
 use crate::jeffcott::region::RegionKind;
 use crate::unit::TIMES_REFERENCE_SPEED;
 
@@ -128,11 +128,22 @@ const TABLE: [Row; 22] = [
     (Quantity::GrowthRate, AtSpeed, "growth_rate", "μ", TIMES_REFERENCE_SPEED, "exact growth rate at a speed, 0 where the motion is stable"),
 ];
 
-/// The column of each quantity in the chain of equations, found once by its name.
-static COLUMNS: LazyLock<[Option<Column>; TABLE.len()]> = LazyLock::new(|| {
-    let named = |name: &str| Column::ALL.into_iter().find(|column| column.name() == name);
-    Quantity::ALL.map(|quantity| named(quantity.name()))
-});
+/// The column of each quantity in the chain of equations, by its name.
+const COLUMNS: [Option<Column>; TABLE.len()] = {
+    let mut columns = [None; TABLE.len()];
+    let mut row = 0;
+    while row < TABLE.len() {
+        let mut place = 0;
+        while place < Column::ALL.len() {
+            if is_same(TABLE[row].2, Column::ALL[place].name()) {
+                columns[row] = Some(Column::ALL[place]);
+            }
+            place += 1;
+        }
+        row += 1;
+    }
+    columns
+};
 
 impl Quantity {
     /// Every quantity, in the order of the documentation.
@@ -194,8 +205,8 @@ impl Quantity {
     }
 
     /// The column of the chain of equations that it is, unless it is found by iteration.
-    pub(crate) fn column(self) -> Option<Column> {
-        COLUMNS.get(self as usize).copied().flatten()
+    pub(crate) const fn column(self) -> Option<Column> {
+        COLUMNS[self as usize]
     }
 
     /// Whether it is at a speed, and not of the rotor alone.

@@ -7,7 +7,8 @@
 //! - [`Plan::reduce`] keeps only maxima, means, histograms ([`Reduction`]), a few numbers per
 //!   group, however many points there are;
 //! - [`Plan::write_to`] gives every chunk, in order, to a [`Sink`], as a file is;
-//! - [`Plan::chunks`] iterates over them.
+//! - [`Plan::collect`] keeps all of it in memory, a column for each quantity;
+//! - [`Plan::chunks`] iterates over the chunks.
 //!
 //! A point at which a region does not exist has no value ([`Option::None`]): not NaN, not 0.
 //!
@@ -33,6 +34,7 @@
 
 mod axis;
 mod chunk;
+mod collected;
 mod error;
 mod one;
 mod reduce;
@@ -49,11 +51,12 @@ use crate::quantity::Quantity;
 pub use crate::batch::statistic::Statistic;
 pub use crate::input::Variable;
 pub use axis::Axis;
-pub use chunk::{Chunk, Column, Counts, POINTS_PER_CHUNK};
+pub use chunk::{Chunk, Counts, POINTS_PER_CHUNK};
+pub use collected::{Collected, Column};
 pub use error::ScanError;
 pub use one::{Reason, evaluate, evaluate_at};
 pub use reduce::{MOST_BINS, MOST_RESULTS, Reduced, Reduction, Reductions};
-pub use run::{Cancel, Chunks, Control, Report, Saved, Stopped};
+pub use run::{Cancel, Chunks, Control, MOST_COLLECTED, Report, Saved, Stopped};
 pub use sample::{Distribution, Sampling};
 pub use sink::{Discard, Sink};
 pub use space::{MOST_POINTS, Space};

@@ -361,3 +361,67 @@ fn a_scan_that_cannot_be_says_why() {
         .reduce(Reduction::new(Statistic::Maximum).over(input("crack.angle")));
     assert!(text(many).contains("keep 10000000 results"));
 }
+
+#[test]
+fn what_is_collected_is_what_chunks_have() {
+    // The axis is longer than a chunk, and no rigid body is at its end.
+    let polar = NumericInput::find("disk_polar_inertia").unwrap();
+    let scan = Scan::of(&Rotor::default()).vary(Axis::linear(polar, (0.2, 0.3), 150_000).unwrap());
+    let scan = scan
+        .quantity(Quantity::SirWidth)
+        .quantity(Quantity::CirWidth);
+    let plan = scan.plan().unwrap();
+    let mut collected = plan.collect(&Control::default()).unwrap();
+    let mut point = 0;
+    for chunk in plan.chunks() {
+        for place in 0..2 {
+            let of_chunk = chunk.quantity(place).iter();
+            for (offset, value) in of_chunk.enumerate() {
+                assert_eq!(collected.column(place).get(point + offset), value);
+            }
+        }
+        point += chunk.len();
+    }
+    assert_eq!(point, collected.column(0).len());
+    let [simple, combination] = [0, 1].map(|place| collected.column(place));
+    assert!(simple.complete().is_none() && combination.complete().is_none());
+    let missing = combination.validity().filter(|exists| !exists).count();
+    assert_eq!(missing as u64, collected.counts().missing[1]);
+    assert!(missing > 0 && collected.counts().no_rotor > 0);
+
+    let cancel = Cancel::default();
+    cancel.cancel();
+    let stopped = Control {
+        cancel,
+        ..Control::default()
+    };
+    assert!(plan.collect_into(&mut collected, &stopped).is_err());
+    assert!(collected.column(0).is_empty());
+    plan.collect_into(
+        &mut collected,
+        &Control {
+            threads: Some(1),
+            ..Control::default()
+        },
+    )
+    .unwrap();
+    assert_eq!(collected.column(0).len(), 150_000);
+}
+
+#[test]
+fn more_than_memory_has_is_not_collected() {
+    let [depth, angle] =
+        ["crack_depth_ratio", "crack_angle"].map(|name| NumericInput::find(name).unwrap());
+    let scan = Scan::of(&Rotor::default()).vary(Axis::linear(depth, (0.0, 0.4), 1 << 20).unwrap());
+    let scan = scan.vary(Axis::linear(angle, (0.0, 1.0), 1 << 13).unwrap());
+    let refused = scan
+        .quantity(Quantity::SirWidth)
+        .plan()
+        .unwrap()
+        .collect(&Control::default());
+    assert_eq!(
+        refused.unwrap_err().to_string(),
+        "8589934592 numbers are more than can be collected in memory; the most is 4294967296 (2^32). Write them to a \
+         file, or reduce them"
+    );
+}

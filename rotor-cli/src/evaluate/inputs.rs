@@ -8,6 +8,7 @@ use arrow_array::{Array, RecordBatch};
 use arrow_schema::DataType;
 use rotor_core::input::{NumericInput, RotorParameters};
 use rotor_core::quantity::Quantity;
+use rotor_core::study;
 use rotor_core::study::table::{self, Column, TableError};
 
 use super::columns::Columns;
@@ -131,7 +132,9 @@ impl<'a> Inputs<'a> {
         if self.base_of.iter().all(|base| *base == Some(0)) {
             let columns = self.numbers.iter();
             let columns = columns.map(|(input, values)| Column { input, values });
-            return table::evaluate(&self.bases[0], &columns.collect::<Vec<_>>(), quantities);
+            let found = table::evaluate(&self.bases[0], &columns.collect::<Vec<_>>(), quantities)?;
+            let columns = (0..quantities.len()).map(|quantity| found.column(quantity));
+            return Ok(columns.map(|column| marked(column).collect()).collect());
         }
         let mut results = vec![vec![f64::NAN; self.len()]; quantities.len()];
         for (number, base) in self.bases.iter().enumerate() {
@@ -146,14 +149,19 @@ impl<'a> Inputs<'a> {
                 .iter()
                 .map(|(input, values)| Column { input, values });
             let found = table::evaluate(base, &columns.collect::<Vec<_>>(), quantities)?;
-            for (result, found) in results.iter_mut().zip(found) {
-                for (row, value) in rows.iter().zip(found) {
+            for (quantity, result) in results.iter_mut().enumerate() {
+                for (row, value) in rows.iter().zip(marked(found.column(quantity))) {
                     result[*row] = value;
                 }
             }
         }
         Ok(results)
     }
+}
+
+/// The values of a column of results, NaN where there is none.
+fn marked(column: study::Column<'_>) -> impl Iterator<Item = f64> + '_ {
+    column.iter().map(|value| value.unwrap_or(f64::NAN))
 }
 
 /// The numbers of a column, NaN where there is none.

@@ -1,19 +1,26 @@
 //! The inputs of a row: what all points of a block share, and when each of it changed last.
 
-use std::sync::LazyLock;
-
 use crate::equations::chain::Column;
-use crate::input::{NumericInput, RotorParameters};
+use crate::input::{INPUTS, NumericInput, RotorParameters, place_of};
 
-/// The input that is in each of the chain's first columns; none for what is no number of its own, as the edge's factor.
-static INPUT_OF: LazyLock<[Option<&'static NumericInput>; Column::INPUTS]> =
-    LazyLock::new(|| std::array::from_fn(|place| NumericInput::find(Column::ALL[place].name())));
+/// The place in [`INPUTS`] of what is in each of the chain's first columns; none for what is no number of its own, as the edge's factor.
+const PLACES: [Option<usize>; Column::INPUTS] = {
+    let mut places = [None; Column::INPUTS];
+    let mut column = 0;
+    while column < places.len() {
+        places[column] = place_of(Column::ALL[column].name());
+        column += 1;
+    }
+    places
+};
 
 /// The column of an input, if anything depends on it.
 pub(super) fn column_of(input: &NumericInput) -> Option<Column> {
-    let inputs = &Column::ALL[..Column::INPUTS];
-    let mut inputs = inputs.iter().copied();
-    inputs.find(|column| column.name() == input.name)
+    let place = INPUTS.iter().position(|other| other == input);
+    let column = PLACES
+        .iter()
+        .position(|own| own.is_some() && *own == place)?;
+    Column::ALL.get(column).copied()
 }
 
 /// Inputs as a set, bit 0 for the first column of the chain.
@@ -55,9 +62,9 @@ impl Row {
             return;
         }
         self.updates += 1;
-        for (place, input) in INPUT_OF.iter().enumerate() {
+        for (place, input) in PLACES.iter().enumerate() {
             let edge = || parameters.crack_edge.factor();
-            let number = input.map_or_else(edge, |input| (input.get)(parameters));
+            let number = input.map_or_else(edge, |input| (INPUTS[input].get)(parameters));
             let varies = self.varied >> place & 1 == 1;
             if !varies && number.to_bits() != self.numbers[place].to_bits() {
                 self.numbers[place] = number;

@@ -5,10 +5,10 @@ use std::sync::Mutex;
 use crate::batch::kernel::{Kernel, POINTS_PER_BLOCK};
 use crate::batch::statistic::Reducer;
 use crate::input::RotorParameters;
-use crate::quantity::Quantity;
 
 use super::Plan;
 use super::axis::Axis;
+use super::collected::Column;
 use super::reduce::Reductions;
 use super::space::Space;
 
@@ -112,37 +112,7 @@ impl<'a> Chunk<'a> {
 
     /// The results of the quantity number `quantity`.
     pub fn quantity(&self, quantity: usize) -> Column<'_> {
-        Column {
-            values: self.results.get(quantity).map_or(&[], Vec::as_slice),
-            missing: self.counts.missing.get(quantity).copied().unwrap_or(0),
-        }
-    }
-}
-
-/// A quantity at the points of a chunk.
-#[derive(Clone, Copy, Debug)]
-pub struct Column<'a> {
-    /// NaN where there is none; this mark does not leave this type.
-    values: &'a [f64],
-    missing: u64,
-}
-
-impl<'a> Column<'a> {
-    /// Point by point, none where it does not exist.
-    pub fn iter(self) -> impl ExactSizeIterator<Item = Option<f64>> + 'a {
-        self.values
-            .iter()
-            .map(|&value| (!value.is_nan()).then_some(value))
-    }
-
-    /// All values, if it exists at every point.
-    pub fn complete(self) -> Option<&'a [f64]> {
-        (self.missing == 0).then_some(self.values)
-    }
-
-    /// How many points have none.
-    pub const fn missing(self) -> u64 {
-        self.missing
+        Column::of(&self.results, &self.counts, quantity)
     }
 }
 
@@ -277,22 +247,18 @@ fn row_of(base: &RotorParameters, outer: &[Axis], row: u64) -> (RotorParameters,
     (parameters, speed)
 }
 
-/// Evaluates a chunk and keeps its results.
-pub(super) fn evaluate<'a>(
-    kernels: &Kernels<'a>,
+/// Evaluates a chunk into slices of its length, one for each quantity; NaN marks points that have none.
+pub(super) fn fill(
+    kernels: &Kernels<'_>,
     number: u64,
+    results: &mut [&mut [f64]],
     stop: &dyn Fn() -> bool,
-) -> Option<Chunk<'a>> {
-    let plan = kernels.plan;
-    let (first, length) = extent(plan, number);
-    let empty = |_: &Quantity| Vec::with_capacity(to_usize(length));
-    let mut results: Vec<Vec<f64>> = plan.quantities.iter().map(empty).collect();
-    let counts = for_each_block(kernels, number, stop, |kernel, block, counts| {
+) -> Option<Counts> {
+    let (first, _) = extent(kernels.plan, number);
+    for_each_block(kernels, number, stop, |kernel, block, counts| {
         let start = to_usize(block.first - first);
-        let slices = results.iter_mut().map(|result| {
-            result.resize(start + block.points, f64::NAN);
-            &mut result[start..]
-        });
+        let slices = results.iter_mut();
+        let slices = slices.map(|result| &mut result[start..start + block.points]);
         let mut values: Vec<_> = slices.collect();
         let evaluated = kernel.evaluate(&block.row, block.speed, &mut values);
         counts.no_rotor += evaluated.no_rotor;
@@ -301,7 +267,20 @@ pub(super) fn evaluate<'a>(
                 *missing += values.iter().filter(|value| value.is_nan()).count() as u64;
             }
         }
-    })?;
+    })
+}
+
+/// Evaluates a chunk and keeps its results.
+pub(super) fn evaluate<'a>(
+    kernels: &Kernels<'a>,
+    number: u64,
+    stop: &dyn Fn() -> bool,
+) -> Option<Chunk<'a>> {
+    let plan = kernels.plan;
+    let (first, length) = extent(plan, number);
+    let mut results = vec![vec![f64::NAN; to_usize(length)]; plan.quantities.len()];
+    let mut slices: Vec<&mut [f64]> = results.iter_mut().map(Vec::as_mut_slice).collect();
+    let counts = fill(kernels, number, &mut slices, stop)?;
     Some(Chunk {
         space: &plan.space,
         number,

@@ -129,6 +129,15 @@ pub enum ScanError {
         /// The most.
         most: u64,
     },
+    /// More numbers than are collected in memory.
+    #[error(
+        "{numbers} numbers are more than can be collected in memory; the most is {} (2^32). Write them to a file, or reduce them",
+        super::run::MOST_COLLECTED
+    )]
+    TooMuchToCollect {
+        /// Points times quantities.
+        numbers: u64,
+    },
     /// A histogram without bins or with ends that are none.
     #[error(
         "a histogram from {low} to {high} in {bins} bins; the ends must be finite numbers that \

@@ -2,18 +2,22 @@
 
 use std::collections::{BTreeMap, VecDeque};
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use thiserror::Error;
 
 use super::Plan;
-use super::chunk::{self, Chunk, Counts, Kernels};
+use super::chunk::{self, Chunk, Counts, Kernels, POINTS_PER_CHUNK};
+use super::collected::Collected;
 use super::error::ScanError;
 use super::reduce::{Reduced, Reductions};
 use super::sink::Sink;
+
+/// The most numbers that are collected in memory, 32 GiB of them: more than a workstation has to spare.
+pub const MOST_COLLECTED: u64 = 1 << 32;
 
 /// Asks running scans to stop; clones ask the same ones.
 #[derive(Clone, Debug, Default)]
@@ -160,6 +164,91 @@ impl Plan {
             Ok(())
         })?;
         Ok(counts)
+    }
+
+    /// Runs the scan and keeps every quantity at every point in memory.
+    ///
+    /// ```
+    /// use rotor_core::input::NumericInput;
+    /// use rotor_core::jeffcott::rotor::Rotor;
+    /// use rotor_core::quantity::Quantity;
+    /// use rotor_core::study::{Axis, Control, Scan};
+    ///
+    /// let depth = NumericInput::find("crack.depth_ratio").ok_or("no such input")?;
+    /// let scan = Scan::of(&Rotor::default()).vary(Axis::linear(depth, (0.0, 0.4), 5)?);
+    /// let collected = scan.quantity(Quantity::CirWidth).plan()?.collect(&Control::default())?;
+    /// assert!(collected.column(0).complete().is_some_and(|widths| widths.len() == 5));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Where there are more than [`MOST_COLLECTED`] numbers; it was cancelled; or threads cannot be started.
+    pub fn collect(&self, control: &Control<'_>) -> Result<Collected, ScanError> {
+        let mut collected = Collected::new();
+        self.collect_into(&mut collected, control)?;
+        Ok(collected)
+    }
+
+    /// Does as [`Plan::collect`], in the memory of an earlier collection.
+    ///
+    /// # Errors
+    /// As [`Plan::collect`]; then nothing is collected.
+    pub fn collect_into(
+        &self,
+        collected: &mut Collected,
+        control: &Control<'_>,
+    ) -> Result<(), ScanError> {
+        let quantities = self.quantities.len() as u64;
+        let numbers = self.space.len().saturating_mul(quantities);
+        let length = usize::try_from(self.space.len());
+        let (true, Ok(length)) = (numbers <= MOST_COLLECTED, length) else {
+            return Err(ScanError::TooMuchToCollect { numbers });
+        };
+        let mut results = std::mem::take(&mut collected.results);
+        collected.counts = Counts::none(0);
+        collected.quantities.clone_from(&self.quantities);
+        results.truncate(self.quantities.len());
+        results.retain(|result| result.len() == length);
+        // Zeros are memory that the threads are the first to touch.
+        results.resize_with(self.quantities.len(), || vec![0.0; length]);
+        collected.counts = self.fill(&mut results, control)?;
+        collected.results = results;
+        Ok(())
+    }
+
+    /// Fills columns with the quantities at all points, chunk by chunk on all threads.
+    fn fill(&self, results: &mut [Vec<f64>], control: &Control<'_>) -> Result<Counts, ScanError> {
+        let chunks = usize::try_from(self.chunk_count()).unwrap_or_default();
+        let mut parts: Vec<Vec<&mut [f64]>> = Vec::new();
+        parts.resize_with(chunks, Vec::new);
+        for result in results {
+            let slices = result.chunks_mut(POINTS_PER_CHUNK as usize);
+            parts
+                .iter_mut()
+                .zip(slices)
+                .for_each(|(part, slice)| part.push(slice));
+        }
+        let parts: Vec<_> = parts.into_iter().map(Mutex::new).collect();
+        let kernels = Kernels::new(self);
+        let work = |number: u64, stop: &dyn Fn() -> bool| {
+            let part = parts.get(number as usize)?;
+            // Each chunk is worked on once.
+            let mut part = part.lock().unwrap_or_else(PoisonError::into_inner);
+            chunk::fill(&kernels, number, &mut part, stop)
+        };
+        let mut counts = Counts::none(self.quantities.len());
+        let all = 0..self.chunk_count();
+        let outcome = self.ordered(all, control, work, |_, part| {
+            counts.add(&part);
+            if let Some(progress) = control.progress {
+                progress(counts.points);
+            }
+            Ok::<_, ScanError>(())
+        });
+        match outcome {
+            Ok(()) => Ok(counts),
+            Err(Stopped::Scan(error) | Stopped::Sink(error)) => Err(error),
+        }
     }
 
     /// The chunks, one after the other; as many as there are threads are computed together.

@@ -10,9 +10,11 @@
 //! let columns = [Column { input: input("crack_depth_ratio")?, values: &depths }];
 //! let quantities = [Quantity::SirWidth, Quantity::Beta];
 //! let results = evaluate(&RotorParameters::PAPER, &columns, &quantities)?;
-//! assert!(results[0][1] > results[0][0]);
+//! let [widths, ratios] = [0, 1].map(|quantity| results.column(quantity));
+//! assert!(widths.get(1) > widths.get(0));
 //! // No crack is seven radii deep.
-//! assert!(results[0][2].is_nan() && results[1][2].is_nan());
+//! assert_eq!((widths.get(2), ratios.get(2)), (None, None));
+//! assert_eq!(results.counts().no_rotor, 1);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
@@ -21,6 +23,9 @@ use thiserror::Error;
 use crate::batch::kernel::{Kernel, POINTS_PER_BLOCK};
 use crate::input::{NumericInput, RotorParameters};
 use crate::quantity::Quantity;
+
+use super::chunk::Counts;
+use super::collected::Collected;
 
 /// The values of an input, one for each rotor.
 #[derive(Clone, Copy, Debug)]
@@ -66,7 +71,7 @@ pub enum TableError {
 }
 
 /// Evaluates quantities of the rotors whose inputs are `base` but for those that have a column: for each quantity a
-/// column of its own, NaN in the rows whose rotor has no such quantity or that are no rotor.
+/// column of its own, which has none in the rows whose rotor has no such quantity or that are no rotor.
 /// [`evaluate`](crate::study::evaluate) says why.
 ///
 /// # Errors
@@ -75,13 +80,15 @@ pub fn evaluate(
     base: &RotorParameters,
     columns: &[Column<'_>],
     quantities: &[Quantity],
-) -> Result<Vec<Vec<f64>>, TableError> {
+) -> Result<Collected, TableError> {
     let length = check(columns)?;
     if let Some(quantity) = quantities.iter().find(|quantity| quantity.needs_speed()) {
         let quantity = quantity.name();
         return Err(TableError::NoSpeed { quantity });
     }
     let mut results = vec![vec![f64::NAN; length]; quantities.len()];
+    let mut counts = Counts::none(quantities.len());
+    counts.points = length as u64;
     let mut kernel = Kernel::of_table(columns.iter().map(|column| column.input), quantities);
     for from in (0..length).step_by(POINTS_PER_BLOCK) {
         let to = length.min(from + POINTS_PER_BLOCK);
@@ -89,9 +96,17 @@ pub fn evaluate(
             values.copy_from_slice(&columns[number].values[from..to]);
         });
         let stretch = results.iter_mut().map(|result| &mut result[from..to]);
-        kernel.evaluate(base, None, &mut stretch.collect::<Vec<_>>());
+        let evaluated = kernel.evaluate(base, None, &mut stretch.collect::<Vec<_>>());
+        counts.no_rotor += evaluated.no_rotor;
     }
-    Ok(results)
+    for (missing, values) in counts.missing.iter_mut().zip(&results) {
+        *missing = values.iter().filter(|value| value.is_nan()).count() as u64;
+    }
+    Ok(Collected {
+        quantities: quantities.to_vec(),
+        results,
+        counts,
+    })
 }
 
 /// How many rows there are.
