@@ -2,24 +2,24 @@
 
 use crate::Kernel;
 
-/// Does something with the kernel of a formula, whichever it is.
+/// A generic function of a formula's kernel.
 pub trait Visitor {
-    /// What comes of it.
+    /// What the function returns.
     type Output;
 
-    /// With the body of its rows, of whose results those of `WANTED` are its own; others are passed on as they are taken.
+    /// Visits the body of a formula's rows. The results of `WANTED` are computed; others are inputs that are passed on.
     fn rows<K, const WANTED: u64, const ALONG: usize, const RESULTS: usize>(self) -> Self::Output
     where
         K: Kernel<0, ALONG, RESULTS>;
 }
 
-/// Does something with the kernels of a staged form, whichever it is.
+/// A generic function of a staged form's kernels.
 pub trait StagedVisitor {
-    /// What comes of it.
+    /// What the function returns.
     type Output;
 
-    /// With what is done for every value of what runs along, with what is done at every point, and with what the columns that
-    /// stand still give once. That is none where their numbers are not as many as they have to be.
+    /// Visits the bodies `A`, which runs once for every value of what varies along the points, and `P`, which runs at every point;
+    /// `fixed` computes once what the other columns decide, and gives none where it gets another count of numbers.
     fn staged<
         A,
         P,

@@ -216,7 +216,7 @@ impl<'a, K, const WANTED: u64, const FIXED: usize, const ALONG: usize, const RES
 where
     K: Kernel<FIXED, ALONG, RESULTS>,
 {
-    /// Of columns of the same length; of no rows where no result is wanted.
+    /// Creates the loop over columns of one length, over no rows where no result is wanted.
     fn new(
         fixed: &'a [f64; FIXED],
         along: [&'a [f64]; ALONG],
@@ -231,7 +231,7 @@ where
         })
     }
 
-    /// The same for fewer rows than a pack may have, in columns that are lengthened by their last number.
+    /// Evaluates fewer rows than a pack may have, in columns that are lengthened by their last number.
     fn run_lengthened(self, level: Level) {
         let along = lengthened(&self.along, 0);
         let mut results = [[0.0; LONGEST]; RESULTS];
@@ -269,7 +269,7 @@ where
         }
     }
 
-    /// The same for all rows but those that are `written`. These are left alone: a line that has gone past the caches would
+    /// Evaluates all rows but those that are `written`. These are left alone: a line that has gone past the caches would
     /// come back for an ordinary store.
     #[inline(always)]
     fn write_around<S: Simd>(self, simd: S, written: Range<usize>) {

@@ -18,7 +18,7 @@ impl<S: Simd> Pack<S> {
     /// How many numbers it holds.
     pub const LENGTH: usize = <S::f64s as SimdBase<S>>::LEN;
 
-    /// The same number in every row.
+    /// Creates a pack with one number in every row.
     #[inline(always)]
     pub fn splat(simd: S, number: f64) -> Self {
         let numbers = S::f64s::splat(simd, number);
@@ -89,7 +89,7 @@ impl<S: Simd> Pack<S> {
         self.map_rows(|_, number| function(number))
     }
 
-    /// The same with the number of the row.
+    /// Applies a function of the row's place and its number to every row.
     #[inline(always)]
     pub fn map_rows(self, function: impl Fn(usize, f64) -> f64) -> Self {
         let given = self.numbers;

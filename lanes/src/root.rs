@@ -116,7 +116,7 @@ mod tests {
         }
     }
 
-    /// The same from any estimate that the instruction may give.
+    /// Checks that the root is the same from any estimate that the instruction may give.
     #[cfg(target_arch = "x86_64")]
     fn same_from_every_start(numbers: &[f64]) {
         use fearless_simd::SimdBase;

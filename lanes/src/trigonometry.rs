@@ -105,7 +105,7 @@ impl<S: Simd> Pack<S> {
         })
     }
 
-    /// The same for angles up to [`EXACT_BEYOND`].
+    /// Sine and cosine of angles up to [`EXACT_BEYOND`].
     #[inline(always)]
     fn near_turned(self, ahead: f64) -> Self {
         let quarters = (self * FRAC_2_PI).round_ties_even();

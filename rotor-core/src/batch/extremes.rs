@@ -19,13 +19,13 @@ pub(crate) struct Extremes {
 }
 
 impl Extremes {
-    /// Those of a column.
+    /// Finds the extremes of a column.
     pub(crate) fn of(values: &[f64]) -> Self {
         let [found] = Self::along::<Itself, 0, 1, 1>(&[], [values]);
         found
     }
 
-    /// Those of what a kernel gives along columns of one length, without a column of it.
+    /// Finds the extremes of what a kernel gives along columns of one length, without keeping a column of it.
     pub(crate) fn along<K, const FIXED: usize, const ALONG: usize, const RESULTS: usize>(
         fixed: &[f64; FIXED],
         along: [&[f64]; ALONG],
@@ -37,7 +37,7 @@ impl Extremes {
         found.unwrap_or([Self::NONE; RESULTS])
     }
 
-    /// Those of the square roots of the same numbers.
+    /// The extremes of the square roots of the numbers.
     pub(crate) fn of_roots(self) -> Self {
         Self {
             least: self.least.sqrt(),
@@ -46,7 +46,7 @@ impl Extremes {
         }
     }
 
-    /// Those of nothing.
+    /// The extremes of an empty column.
     pub(crate) const NONE: Self = Self {
         least: f64::INFINITY,
         greatest: f64::NEG_INFINITY,

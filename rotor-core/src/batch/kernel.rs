@@ -80,7 +80,7 @@ pub(crate) struct Kernel<'a> {
     entered: u64,
     /// The last row, and whether its inputs are plain.
     last: Option<(RotorParameters, bool)>,
-    /// Of a row's points those that are known.
+    /// For each point of the row, whether its quantities are known.
     known: Vec<bool>,
     /// The quantities of a row that is reduced from its columns.
     columns: Vec<Vec<f64>>,
@@ -412,7 +412,7 @@ impl<'a> Kernel<'a> {
     }
 }
 
-/// Those of the variables that are inputs of the rotor.
+/// The inputs of the rotor among the variables.
 fn inputs_among(variables: &[Variable]) -> Vec<&'static NumericInput> {
     let inputs = variables.iter().filter_map(|variable| match variable {
         Variable::Input(input) => Some(*input),

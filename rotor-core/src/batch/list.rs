@@ -10,7 +10,7 @@ pub(super) struct List {
 }
 
 impl Default for List {
-    /// Not a number, at any point.
+    /// Creates a list that is not a number at all points.
     fn default() -> Self {
         Self {
             values: vec![f64::NAN],
@@ -20,7 +20,7 @@ impl Default for List {
 }
 
 impl List {
-    /// Of a column.
+    /// Creates a list of a column's numbers.
     pub(super) const fn of(values: Vec<f64>) -> Self {
         Self {
             values,
@@ -28,7 +28,7 @@ impl List {
         }
     }
 
-    /// The same number at all points; whether that is news.
+    /// Sets the number that all points have; answers whether it is another one than before.
     pub(super) fn set(&mut self, number: f64) -> bool {
         let is_known = self.is_same && self.number().to_bits() == number.to_bits();
         if !is_known {
@@ -39,7 +39,7 @@ impl List {
         !is_known
     }
 
-    /// Whether all points have one number.
+    /// Whether all points have the same number.
     pub(super) const fn is_same(&self) -> bool {
         self.is_same
     }

@@ -111,7 +111,7 @@ impl Numbers {
         &self.lists[column as usize]
     }
 
-    /// The same number at all points of a column.
+    /// Sets the number that all points of a column have.
     pub(super) fn set(&mut self, column: Column, number: f64) {
         self.lists[column as usize].set(number);
     }

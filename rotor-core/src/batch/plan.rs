@@ -7,7 +7,7 @@ use crate::quantity::{Measure, Quantity, Subject};
 /// How some of the quantities asked for are computed together.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Way {
-    /// As a column of the chain.
+    /// Read from a column of the chain.
     Column { place: usize, column: Column },
     /// By a formula, whose results go to these places; in stages, where that is given.
     Formula {
@@ -39,18 +39,18 @@ pub(super) struct Plan {
 /// What varies: inputs as sets.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Varied {
-    /// Along a block.
+    /// Inputs that vary along a block.
     pub(super) block: u64,
-    /// From one row to the next; all, where that is not known.
+    /// From one row to the next; all inputs, where that is not known.
     pub(super) next: u64,
 }
 
-/// How a width comes about with the fewest operations, or with the digits that it has alone.
+/// Which digits results have to have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Digits {
-    /// In stages, whose last digits may differ.
+    /// Any digits: widths are computed in stages, where the last digits may differ from those of a rotor alone.
     OfStages,
-    /// Those of each rotor alone.
+    /// The digits that each rotor has alone.
     OfOneRotor,
 }
 

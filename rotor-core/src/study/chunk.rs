@@ -15,19 +15,19 @@ use super::space::Space;
 /// The points of a chunk; the last one of a scan may have fewer.
 pub const POINTS_PER_CHUNK: u64 = 1 << 17;
 
-/// What a scan, or a part of it, came to.
+/// How many points a scan or a part of it has, and how many of them lack a quantity.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Counts {
-    /// Points.
+    /// How many points there are.
     pub points: u64,
-    /// For each quantity the points that have none, as where a region does not exist.
+    /// For each quantity how many points lack it, as where a region does not exist.
     pub missing: Vec<u64>,
-    /// Points whose inputs together are no rotor, as with $\beta > 2$. They have no quantity.
+    /// How many points are no rotor, as with $\beta > 2$. They lack every quantity.
     pub no_rotor: u64,
 }
 
 impl Counts {
-    /// No points yet.
+    /// Creates counts of no points.
     pub fn none(quantities: usize) -> Self {
         Self {
             missing: vec![0; quantities],
@@ -35,7 +35,7 @@ impl Counts {
         }
     }
 
-    /// Adds those of another part.
+    /// Adds the counts of another part.
     pub fn add(&mut self, other: &Self) {
         self.points += other.points;
         self.no_rotor += other.no_rotor;
@@ -116,14 +116,14 @@ impl<'a> Chunk<'a> {
     }
 }
 
-/// The kernels of a plan that wait for work: what they have tabulated serves the next chunk too.
+/// A store of kernels that wait for work: what they have tabulated serves the next chunk too.
 pub(super) struct Kernels<'a> {
     plan: &'a Plan,
     waiting: Mutex<Vec<Kernel<'a>>>,
 }
 
 impl<'a> Kernels<'a> {
-    /// None yet.
+    /// Creates an empty store of kernels.
     pub(super) const fn new(plan: &'a Plan) -> Self {
         let waiting = Mutex::new(Vec::new());
         Self { plan, waiting }
@@ -290,7 +290,7 @@ pub(super) fn evaluate<'a>(
     })
 }
 
-/// A number of points of a chunk or a block, which are few.
+/// Converts a number of points of a chunk or a block, which is small.
 fn to_usize(points: u64) -> usize {
     usize::try_from(points).unwrap_or(usize::MAX)
 }

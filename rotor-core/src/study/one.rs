@@ -23,7 +23,7 @@ pub fn evaluate(quantities: &[Quantity], rotor: &Rotor) -> Vec<Result<f64, Reaso
     evaluate_at(quantities, rotor, None)
 }
 
-/// The same at a speed, in units of the reference speed, for quantities that [need one](Quantity::needs_speed).
+/// Computes several quantities of one rotor, as [`evaluate`] does, at a speed in units of the reference speed, for quantities that [need one](Quantity::needs_speed).
 ///
 /// ```
 /// use rotor_core::{jeffcott::rotor::Rotor, quantity::Quantity, study::evaluate_at};

@@ -224,12 +224,12 @@ struct Part {
 }
 
 impl<'a> Reductions<'a> {
-    /// Nothing yet, of all points.
+    /// Creates reductions of a whole scan, before any point.
     pub(super) fn of_all(plan: &'a Plan) -> Self {
         Self::new(plan, |grouping| (0, grouping.groups))
     }
 
-    /// Nothing yet, of a chunk's points.
+    /// Creates reductions of a chunk, before any point.
     pub(super) fn of_chunk(plan: &'a Plan, number: u64) -> Self {
         let extent = chunk::extent(plan, number);
         Self::new(plan, |grouping| grouping.window(&plan.space, extent))

@@ -20,7 +20,7 @@ pub(crate) struct Accumulator {
 }
 
 impl Accumulator {
-    /// Of no rows yet.
+    /// Creates an accumulator that has seen no rows.
     pub(crate) const fn new(statistic: Statistic) -> Self {
         Self {
             statistic,

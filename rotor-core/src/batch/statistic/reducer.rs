@@ -16,14 +16,14 @@ pub(crate) struct Reducer {
     wanted: Wanted,
     /// The point of the block's first row.
     pub(crate) first: u64,
-    /// The block as a whole, for each quantity that was reduced.
+    /// What was found of the block as a whole, for each quantity that was reduced.
     summaries: Vec<Option<Summary>>,
-    /// Each of its rows, for each quantity.
+    /// What is kept of each row of the block, for each quantity.
     accumulators: Vec<Vec<Accumulator>>,
 }
 
 impl Reducer {
-    /// For so many quantities, of each of which this is wanted as a whole and these are of its rows.
+    /// Creates a reducer of so many quantities: `wanted` of each block as a whole, `accumulators` for each of its rows.
     pub(crate) fn new(wanted: Wanted, accumulators: &[Accumulator], quantities: usize) -> Self {
         Self {
             level: Level::best(),
@@ -99,7 +99,7 @@ impl Reducer {
         self.end(&quantities, kept, found.ok(), present)
     }
 
-    /// What is kept of the quantities while their numbers are taken.
+    /// Takes out what is kept of the quantities, for the time in which their numbers are taken.
     #[inline(never)]
     fn begin<const RESULTS: usize>(
         &mut self,
@@ -115,7 +115,7 @@ impl Reducer {
         )
     }
 
-    /// What came of them, if anything was found; `present` numbers each if there are no gaps.
+    /// Keeps what was found of the quantities; `present` is how many numbers each has, if there are no gaps.
     #[inline(never)]
     fn end<const RESULTS: usize>(
         &mut self,

@@ -6,16 +6,16 @@ use crate::batch::extremes::{Extremes, Span};
 
 use super::{Bins, Statistic};
 
-/// What is asked besides the extremes.
+/// What is asked of a column besides its extremes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Wanted {
-    /// Where the extremes are.
+    /// Whether the rows of the extremes are asked for.
     pub(crate) places: bool,
-    /// The sum.
+    /// Whether the sum is asked for.
     pub(crate) sum: bool,
-    /// How many numbers are above each of these.
+    /// Thresholds, of which the numbers above each are counted.
     pub(crate) thresholds: Vec<f64>,
-    /// How many numbers are in each of these.
+    /// Histograms, of which the numbers in each bin are counted.
     pub(crate) bins: Vec<Bins>,
 }
 
@@ -35,7 +35,7 @@ impl Wanted {
         }
     }
 
-    /// Whether anything is counted one by one.
+    /// Whether anything is asked that is counted number by number, not in packs.
     pub(super) fn has_tallies(&self) -> bool {
         let (_, further) = self.thresholds();
         !(further.is_empty() && self.bins.is_empty())
@@ -48,10 +48,10 @@ impl Wanted {
     }
 }
 
-/// What was found of a column.
+/// What was found of a column as a whole.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Summary {
-    /// What it spans.
+    /// The least and the greatest number.
     pub(crate) extremes: Extremes,
     /// How many numbers there are, without those that are NaN.
     pub(crate) present: u64,
@@ -68,7 +68,7 @@ pub(crate) struct Summary {
 }
 
 impl Summary {
-    /// That of a column of which only the extremes are asked for.
+    /// Creates the summary of a column of which only the extremes are asked for.
     pub(crate) const fn of_extremes(extremes: Extremes, present: u64) -> Self {
         Self {
             extremes,
@@ -84,18 +84,18 @@ impl Summary {
 
 /// Whether numbers of a column may be NaN, which take no part in anything.
 pub(crate) trait Gaps {
-    /// Whether they may.
+    /// Whether there may be NaN.
     const HAS_GAPS: bool;
 }
 
-/// All are numbers.
+/// No number of the column is NaN.
 pub(crate) struct WithoutGaps;
 
 impl Gaps for WithoutGaps {
     const HAS_GAPS: bool = false;
 }
 
-/// Some may be NaN.
+/// Some numbers of the column may be NaN.
 pub(crate) struct WithGaps;
 
 impl Gaps for WithGaps {
@@ -111,7 +111,7 @@ const IN_PACKS: usize = 2;
 /// The fewest rows of a pack.
 const SHORTEST: usize = 2;
 
-/// What a pass over columns looks at in each pack: nothing that has to be looked for.
+/// What a pass over columns looks at in each pack, settled before the pass begins.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pass {
     places: bool,
@@ -134,7 +134,7 @@ impl Pass {
     }
 }
 
-/// What is kept in packs for each of some columns: nothing that has an address, so that it stays in registers.
+/// What is kept in packs for each column. Nothing of it has an address, so that it stays in registers.
 #[derive(Clone, Copy)]
 pub(super) struct Lanes<S: Simd, const COLUMNS: usize> {
     extremes: [[Pack<S>; 3]; COLUMNS],
@@ -145,7 +145,7 @@ pub(super) struct Lanes<S: Simd, const COLUMNS: usize> {
     present: [Pack<S>; COLUMNS],
 }
 
-/// What is counted one by one, of a column: numbers above further thresholds, and in bins.
+/// What is counted number by number: numbers above thresholds beyond those counted in packs, and numbers in bins.
 #[derive(Clone, Debug)]
 pub(super) struct Tally {
     above: Vec<[f64; LONGEST]>,
@@ -247,7 +247,7 @@ impl<S: Simd, const COLUMNS: usize> Lanes<S, COLUMNS> {
         Span::widen(&mut self.extremes, values);
     }
 
-    /// What came of the columns; what was counted one by one is not in it yet.
+    /// What was found of each column, without what is counted number by number.
     #[inline(always)]
     pub(super) fn end(self) -> [Found; COLUMNS] {
         let found: [Extremes; COLUMNS] = Span::spanned(self.extremes);
@@ -280,7 +280,7 @@ pub(super) struct Found {
 }
 
 impl Found {
-    /// Together with what was counted one by one. `present` is how many numbers there are, where there are no gaps.
+    /// Adds what was counted number by number. `present` is how many numbers there are, where there are no gaps.
     pub(super) fn with(self, tally: Tally, wanted: &Wanted, present: Option<u64>) -> Summary {
         let (in_packs, _) = wanted.thresholds();
         let mut above = self.above[..in_packs.len()].to_vec();
@@ -298,7 +298,7 @@ impl Found {
     }
 }
 
-/// The numbers with another one for what is NaN, where there may be such.
+/// Replaces NaN by another number, where there may be NaN.
 #[inline(always)]
 pub(super) fn without_gaps<S: Simd, G: Gaps>(value: Pack<S>, other: f64) -> Pack<S> {
     if !G::HAS_GAPS {

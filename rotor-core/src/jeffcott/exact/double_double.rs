@@ -25,7 +25,7 @@ impl DoubleDouble {
         }
     }
 
-    /// The same where |a| ≥ |b| (Dekker).
+    /// The exact sum of two numbers with |a| ≥ |b| (Dekker).
     fn sum_of_ordered(a: f64, b: f64) -> Self {
         let high = a + b;
         Self {

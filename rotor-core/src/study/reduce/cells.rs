@@ -48,7 +48,7 @@ fn add((sum, rest): (&mut f64, &mut f64), term: f64) {
 }
 
 impl Cells {
-    /// So many, before any value.
+    /// Creates so many cells, before any value.
     pub(super) fn empty(statistic: Statistic, count: usize) -> Self {
         let value = match statistic {
             Statistic::Maximum | Statistic::ArgMaximum => f64::NEG_INFINITY,
