@@ -2,8 +2,6 @@
 
 use thiserror::Error;
 
-use crate::equations::Coefficients;
-
 /// Why a growth rate, a frequency or a region's end could not be given.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum StabilityError {
@@ -93,26 +91,4 @@ pub(crate) fn require(
             allowed,
         })
     }
-}
-
-/// Rejects coefficients with which no computation makes sense: a NaN, an infinity, a disk with no inertia about one axis.
-pub(crate) fn check_coefficients(c: &Coefficients) -> Result<(), StabilityError> {
-    require("beta", c.beta, c.beta >= 0.0, "a finite number, at least 0")?;
-    for (name, value) in [
-        ("gamma", c.gamma),
-        ("delta", c.delta),
-        ("epsilon_1", c.epsilon_1),
-        ("epsilon_12", c.epsilon_12),
-        ("epsilon_2", c.epsilon_2),
-        ("crack_angle", c.crack_angle),
-    ] {
-        require(name, value, true, "a finite number")?;
-    }
-    require(
-        "disk_asymmetry",
-        c.disk_asymmetry,
-        c.disk_asymmetry.abs() < 1.0,
-        "between -1 and 1",
-    )?;
-    Ok(())
 }

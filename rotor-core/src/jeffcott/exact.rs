@@ -24,3 +24,28 @@ pub use quartic::{growth_rate, squared_offsets};
 pub use whirl::whirl_frequencies;
 
 pub(crate) use frequency_equation::sine_and_cosine_of_double;
+
+use crate::equations::Coefficients;
+use crate::error::{StabilityError, require};
+
+/// Rejects coefficients with which no computation makes sense: a NaN, an infinity, a disk with no inertia about one axis.
+pub(crate) fn check_coefficients(c: &Coefficients) -> Result<(), StabilityError> {
+    require("beta", c.beta, c.beta >= 0.0, "a finite number, at least 0")?;
+    for (name, value) in [
+        ("gamma", c.gamma),
+        ("delta", c.delta),
+        ("epsilon_1", c.epsilon_1),
+        ("epsilon_12", c.epsilon_12),
+        ("epsilon_2", c.epsilon_2),
+        ("crack_angle", c.crack_angle),
+    ] {
+        require(name, value, true, "a finite number")?;
+    }
+    require(
+        "disk_asymmetry",
+        c.disk_asymmetry,
+        c.disk_asymmetry.abs() < 1.0,
+        "between -1 and 1",
+    )?;
+    Ok(())
+}

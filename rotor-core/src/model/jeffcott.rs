@@ -4,8 +4,8 @@ use nalgebra::DMatrix;
 
 use super::Model;
 use crate::equations::Coefficients;
-use crate::error::{StabilityError, check_coefficients, require};
-use crate::jeffcott::exact::sine_and_cosine_of_double;
+use crate::error::{StabilityError, require};
+use crate::jeffcott::exact::{check_coefficients, sine_and_cosine_of_double};
 use crate::periodic::{Harmonic, PeriodicSystem};
 
 impl Model for Coefficients {

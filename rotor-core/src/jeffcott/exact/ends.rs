@@ -10,9 +10,10 @@
 
 use nalgebra::{Matrix4, SymmetricEigen, Vector4};
 
+use super::check_coefficients;
 use super::frequency_equation::sine_and_cosine_of_double;
 use crate::equations::{self, Coefficients};
-use crate::error::{StabilityError, check_coefficients};
+use crate::error::StabilityError;
 
 /// The two ends of an instability region, in units of the reference speed; `lower <= upper`, equal at an exact zero
 /// unstable point.

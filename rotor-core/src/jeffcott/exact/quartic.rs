@@ -13,10 +13,11 @@
 use nalgebra::linalg::balancing::balance_parlett_reinsch;
 use nalgebra::{Complex, Matrix4, Schur};
 
+use super::check_coefficients;
 use super::double_double::DoubleDouble;
 use super::frequency_equation::quartic_coefficients;
 use crate::equations::{self, Coefficients};
-use crate::error::{StabilityError, check_coefficients, require};
+use crate::error::{StabilityError, require};
 
 /// Cap on the QR sweeps for the 4 × 4 companion matrix; 10 are common.
 const SWEEPS: usize = 200;

@@ -1,7 +1,8 @@
 //! Whirl frequencies of the symmetric, uncracked rotor, Eq. (13).
 
+use super::check_coefficients;
 use crate::equations::{self, Coefficients};
-use crate::error::{StabilityError, check_coefficients, require};
+use crate::error::{StabilityError, require};
 
 /// Cap on steps, each of which at least halves the step before it or the bracket; 10 are common.
 const STEPS: usize = 200;
