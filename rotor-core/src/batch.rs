@@ -17,4 +17,3 @@ mod list;
 mod numbers;
 mod plan;
 mod row;
-mod sizes;

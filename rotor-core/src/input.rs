@@ -151,6 +151,46 @@ impl fmt::Display for Allowed {
     }
 }
 
+/// Sizes of numbers, of machines as there are: with others numbers may leave the range of doubles on the way to a quantity. They
+/// reach from a tenth of a millimetre, or a gramme in a billion, to a thousand times what there is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Sizes {
+    above: f64,
+    below: f64,
+    /// Whether zero is a size too.
+    with_zero: bool,
+}
+
+impl Sizes {
+    const fn between(above: f64, below: f64) -> Self {
+        Self {
+            above,
+            below,
+            with_zero: false,
+        }
+    }
+
+    /// Lengths and stiffnesses.
+    const MEASURE: Self = Self::between(1e-4, 1e12);
+    const INERTIA: Self = Self::between(1e-12, 1e12);
+    const INSIDE_SPAN: Self = Self::between(1e-4, 1.0 - 1e-4);
+    const RATIO: Self = Self {
+        with_zero: true,
+        ..Self::between(1e-9, f64::INFINITY)
+    };
+    const ANY: Self = Self {
+        with_zero: true,
+        ..Self::between(0.0, f64::INFINITY)
+    };
+
+    /// Whether a value has such a size; without branches, so that a list is looked through in packs.
+    #[inline]
+    pub(crate) fn contain(&self, value: f64) -> bool {
+        let size = value.abs();
+        ((size > self.above) & (size < self.below)) | ((size == 0.0) & self.with_zero)
+    }
+}
+
 /// One numeric input of a rotor: its names, its unit, what it allows, and where it is kept.
 #[derive(Clone, Copy, Debug)]
 pub struct NumericInput {
@@ -168,6 +208,8 @@ pub struct NumericInput {
     pub description: &'static str,
     /// The values it allows.
     pub allowed: Allowed,
+    /// The sizes that it has in machines as there are.
+    pub(crate) sizes: Sizes,
     /// Reads it.
     pub get: fn(&RotorParameters) -> f64,
     /// Writes it.
@@ -175,7 +217,7 @@ pub struct NumericInput {
 }
 
 macro_rules! input {
-    ($field:ident, $section:literal, $key:literal, $symbol:literal, $unit:literal, $allowed:expr, $description:literal) => {
+    ($field:ident, $section:literal, $key:literal, $symbol:literal, $unit:literal, $allowed:expr, $sizes:expr, $description:literal) => {
         NumericInput {
             name: stringify!($field),
             section: $section,
@@ -184,6 +226,7 @@ macro_rules! input {
             unit: $unit,
             description: $description,
             allowed: $allowed,
+            sizes: $sizes,
             get: |parameters| parameters.$field,
             set: |parameters, value| parameters.$field = value,
         }
@@ -210,21 +253,27 @@ pub static INPUTS: [NumericInput; TABLE.len()] = TABLE;
 
 #[rustfmt::skip]
 const TABLE: [NumericInput; 12] = [
-    input!(disk_mass, "disk", "mass", "m_d", "kg", Allowed::POSITIVE, "mass of the disk"),
-    input!(disk_diametral_inertia, "disk", "diametral_inertia", "I_d", "kg m²", Allowed::POSITIVE, "mean diametral inertia of the disk"),
-    input!(disk_polar_inertia, "disk", "polar_inertia", "I_p", "kg m²", Allowed::POSITIVE, "polar inertia of the disk"),
-    input!(disk_asymmetry, "disk", "asymmetry", "Δ_d", "", DISK_ASYMMETRY, "relative inertia asymmetry of the disk"),
-    input!(disk_position_ratio, "disk", "position_ratio", "l_d/L", "", Allowed::INSIDE_SPAN, "position of the disk over the shaft's length"),
-    input!(shaft_length, "shaft", "length", "L", "m", Allowed::POSITIVE, "length of the shaft between its supports"),
-    input!(shaft_radius, "shaft", "radius", "R", "m", Allowed::POSITIVE, "radius of the shaft"),
-    input!(shaft_youngs_modulus, "shaft", "youngs_modulus", "E", "Pa", Allowed::POSITIVE, "Young's modulus of the shaft"),
-    input!(shaft_poissons_ratio, "shaft", "poissons_ratio", "ν", "", POISSONS_RATIO, "Poisson's ratio of the shaft"),
-    input!(crack_depth_ratio, "crack", "depth_ratio", "σ", "", CRACK_DEPTH, "depth of the crack over the shaft's radius"),
-    input!(crack_position_ratio, "crack", "position_ratio", "l_c/L", "", Allowed::INSIDE_SPAN, "position of the crack over the shaft's length"),
-    input!(crack_angle, "crack", "angle", "φ", "rad", Allowed::FINITE, "angle between the crack and the disk's major axis"),
+    input!(disk_mass, "disk", "mass", "m_d", "kg", Allowed::POSITIVE, Sizes::INERTIA, "mass of the disk"),
+    input!(disk_diametral_inertia, "disk", "diametral_inertia", "I_d", "kg m²", Allowed::POSITIVE, Sizes::INERTIA, "mean diametral inertia of the disk"),
+    input!(disk_polar_inertia, "disk", "polar_inertia", "I_p", "kg m²", Allowed::POSITIVE, Sizes::INERTIA, "polar inertia of the disk"),
+    input!(disk_asymmetry, "disk", "asymmetry", "Δ_d", "", DISK_ASYMMETRY, Sizes::RATIO, "relative inertia asymmetry of the disk"),
+    input!(disk_position_ratio, "disk", "position_ratio", "l_d/L", "", Allowed::INSIDE_SPAN, Sizes::INSIDE_SPAN, "position of the disk over the shaft's length"),
+    input!(shaft_length, "shaft", "length", "L", "m", Allowed::POSITIVE, Sizes::MEASURE, "length of the shaft between its supports"),
+    input!(shaft_radius, "shaft", "radius", "R", "m", Allowed::POSITIVE, Sizes::MEASURE, "radius of the shaft"),
+    input!(shaft_youngs_modulus, "shaft", "youngs_modulus", "E", "Pa", Allowed::POSITIVE, Sizes::MEASURE, "Young's modulus of the shaft"),
+    input!(shaft_poissons_ratio, "shaft", "poissons_ratio", "ν", "", POISSONS_RATIO, Sizes::ANY, "Poisson's ratio of the shaft"),
+    input!(crack_depth_ratio, "crack", "depth_ratio", "σ", "", CRACK_DEPTH, Sizes::RATIO, "depth of the crack over the shaft's radius"),
+    input!(crack_position_ratio, "crack", "position_ratio", "l_c/L", "", Allowed::INSIDE_SPAN, Sizes::INSIDE_SPAN, "position of the crack over the shaft's length"),
+    input!(crack_angle, "crack", "angle", "φ", "rad", Allowed::FINITE, Sizes::ANY, "angle between the crack and the disk's major axis"),
 ];
 
 impl NumericInput {
+    /// Whether a value is allowed, and of a size that machines have.
+    #[inline]
+    pub(crate) fn is_of_a_machine(&self, value: f64) -> bool {
+        self.sizes.contain(value) & self.allowed.range().contains(&value)
+    }
+
     /// The row of a name such as `disk_mass` or `disk.mass`.
     pub fn find(name: &str) -> Option<&'static Self> {
         INPUTS.iter().find(|input| {

@@ -21,7 +21,6 @@ use super::numbers::{Numbers, Points, Trust};
 use super::one_rotor::OneRotor;
 use super::plan::{Digits, Plan, Varied};
 use super::row::{self, Row};
-use super::sizes::Sizes;
 
 /// The most points of a block.
 pub(crate) const POINTS_PER_BLOCK: usize = 4096;
@@ -68,8 +67,8 @@ pub(crate) struct Kernel<'a> {
     /// Those that are inputs of the rotor, and the same as a set.
     inputs: Vec<&'static NumericInput>,
     varied: u64,
-    /// All others, with what is plain of them.
-    fixed: Vec<(&'static NumericInput, Sizes)>,
+    /// All others.
+    fixed: Vec<&'static NumericInput>,
     row: Row,
     /// What is the same at all points of a row, whatever the block.
     of_row: Numbers,
@@ -130,7 +129,7 @@ impl<'a> Kernel<'a> {
             plan: Plan::of(quantities, Varied { block, next }, digits),
             digits,
             variables,
-            fixed: fixed.map(|input| (input, Sizes::of(input))).collect(),
+            fixed: fixed.collect(),
             inputs,
             varied: block,
             row: Row::new(block),
@@ -193,9 +192,8 @@ impl<'a> Kernel<'a> {
                 speed = List::of(values.clone());
                 continue;
             };
-            let sizes = Sizes::of(input);
             for (plain, value) in plain.iter_mut().zip(values) {
-                *plain &= sizes.contain(*value);
+                *plain &= input.is_of_a_machine(*value);
             }
             columns.extend(row::column_of(input).map(|column| (column, values.clone())));
         }
@@ -369,7 +367,7 @@ impl<'a> Kernel<'a> {
             return *is_plain;
         }
         let mut fixed = self.fixed.iter();
-        let is_plain = fixed.all(|(input, sizes)| sizes.contain((input.get)(row)));
+        let is_plain = fixed.all(|input| input.is_of_a_machine((input.get)(row)));
         self.last = Some((*row, is_plain));
         is_plain
     }
