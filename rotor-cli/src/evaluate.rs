@@ -11,6 +11,7 @@ use std::path::Path;
 use std::sync::mpsc;
 
 use rotor_core::input::RotorParameters;
+use rotor_core::jeffcott::region::RegionKind;
 use rotor_core::jeffcott::rotor::Rotor;
 use rotor_core::quantity::Quantity;
 use rotor_core::study;
@@ -35,11 +36,12 @@ pub(crate) fn result_names() -> Vec<&'static str> {
     of_rotor().map(Quantity::name).collect()
 }
 
-/// Those, and not what is at a speed.
+/// Quantities that every rotor has, or most have: not those at a speed, nor those of the upper simple region, which exists for
+/// beta < 1 alone.
 fn of_rotor() -> impl Iterator<Item = Quantity> {
-    Quantity::ALL
-        .into_iter()
-        .filter(|quantity| !quantity.needs_speed())
+    Quantity::ALL.into_iter().filter(|quantity| {
+        !quantity.needs_speed() && quantity.region() != Some(RegionKind::UpperSimple)
+    })
 }
 
 /// Evaluates the table.

@@ -49,10 +49,7 @@ pub(crate) fn out_of_range(kind: RegionKind, c: &Coefficients) -> Option<String>
 
 /// The region that a quantity belongs to.
 pub(crate) fn region_of(quantity: Quantity) -> Option<RegionKind> {
-    let name = quantity.name();
-    [RegionKind::Simple, RegionKind::Combination]
-        .into_iter()
-        .find(|kind| name.split('_').next() == Some(kind.name()))
+    quantity.region()
 }
 
 #[cfg(test)]

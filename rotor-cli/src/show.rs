@@ -7,7 +7,7 @@ use std::fmt::Write;
 use codegen::expand::Expansion;
 use codegen::show::{self, ShowError, Summary};
 use rotor_core::equations::SOURCE;
-use rotor_core::quantity::Quantity;
+use rotor_core::quantity::{Quantity, Subject};
 
 use crate::failure::Failure;
 use crate::output;
@@ -50,16 +50,15 @@ pub(crate) fn run(name: Option<&str>, form: Form) -> Result<String, Failure> {
 
 /// The formula that gives a result which is not a formula itself; it is said on stderr.
 fn formula_of(result: Quantity) -> Result<&'static str, Failure> {
-    use Quantity::{CirExactLower, CirExactUpper, GrowthRate, SirExactLower, SirExactUpper};
-    let formula = match result {
-        SirExactLower | SirExactUpper | CirExactLower | CirExactUpper | GrowthRate => {
+    let formula = match result.subject() {
+        Subject::Region(..) | Subject::AtSpeed => {
             return Err(Failure::input(format!(
                 "`{result}` is no closed form: it is computed from the roots of the frequency equation, see `rotor \
                  show phi`"
             )));
         }
-        Quantity::C11 | Quantity::C22 | Quantity::C33 | Quantity::C44 => "crack_compliance",
-        _ => "coefficients",
+        Subject::Plain if result.name().starts_with('c') => "crack_compliance",
+        Subject::Plain => "coefficients",
     };
     output::remark(&format!("`{result}` is one of the results of `{formula}`:"));
     Ok(formula)

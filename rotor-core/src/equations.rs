@@ -472,7 +472,7 @@ mod formulas {
     }
 
     /// Start of the second simple region, where $\omega_1 = \Omega$; it exists for $\beta < 1$ (E9).
-    #[generate(value)]
+    #[generate(value, columns, chain)]
     pub fn upper_sir_start(c: &Coefficients) -> f64 {
         let q = c.beta - 1.0 - c.delta;
         ((sir_radicand(c).sqrt() - q) / (2.0 * (1.0 - c.beta))).sqrt()
@@ -580,7 +580,7 @@ mod formulas {
     }
 
     /// Width of the second simple region, for $\beta < 1$.
-    #[generate(value)]
+    #[generate(value, columns, chain)]
     pub fn upper_sir_width(c: &Coefficients) -> f64 {
         let speed = upper_sir_start(c);
         width(speed, speed, sir_strength(speed, c), c)
@@ -640,7 +640,7 @@ mod formulas {
     }
 
     /// The disk asymmetry that closes the second simple region at $\phi = \pi/2$, Eq. (32).
-    #[generate(value)]
+    #[generate(value, columns, chain)]
     pub fn upper_sir_zup_asymmetry(c: &Coefficients) -> f64 {
         closing_asymmetry(upper_sir_start(c), c)
     }

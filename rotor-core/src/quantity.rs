@@ -11,7 +11,7 @@ use crate::jeffcott::region::RegionKind;
 use crate::unit::TIMES_REFERENCE_SPEED;
 
 use Measure::{ExactLower, ExactUpper, Start, Width, ZupAsymmetry};
-use RegionKind::{Combination, Simple};
+use RegionKind::{Combination, Simple, UpperSimple};
 use Subject::{AtSpeed, Plain, Region};
 
 /// A result that a rotor has, or has at a speed.
@@ -42,20 +42,30 @@ pub enum Quantity {
     Epsilon2,
     /// Start $\Omega_s$ of the simple region, Eq. (15).
     SirStart,
+    /// Start $\Omega_{s,2}$ of the upper simple region, for $\beta < 1$ (E9).
+    UpperSirStart,
     /// Start $\Omega_c$ of the combination region, Eq. (16).
     CirStart,
     /// Width $\lambda_s$ of the simple region, Eq. (31).
     SirWidth,
+    /// Width $\lambda_{s,2}$ of the upper simple region, Eq. (31).
+    UpperSirWidth,
     /// Width $\lambda_c$ of the combination region, Eq. (31).
     CirWidth,
     /// Disk asymmetry that closes the simple region, Eq. (32).
     SirZupAsymmetry,
+    /// Disk asymmetry that closes the upper simple region, Eq. (32).
+    UpperSirZupAsymmetry,
     /// Disk asymmetry that closes the combination region, Eq. (32).
     CirZupAsymmetry,
     /// Exact lower end of the simple region.
     SirExactLower,
     /// Exact upper end of the simple region.
     SirExactUpper,
+    /// Exact lower end of the upper simple region.
+    UpperSirExactLower,
+    /// Exact upper end of the upper simple region.
+    UpperSirExactUpper,
     /// Exact lower end of the combination region.
     CirExactLower,
     /// Exact upper end of the combination region.
@@ -103,7 +113,7 @@ type Row = (
 /// One row for each quantity, in the order of the variants. A quantity that is not found by iteration has the name of its column
 /// in the chain of equations.
 #[rustfmt::skip]
-const TABLE: [Row; 22] = [
+const TABLE: [Row; 27] = [
     (Quantity::C11, Plain, "c11", "c₁₁", "m/N", "shear compliance of the crack along its depth, Eq. (8a)"),
     (Quantity::C22, Plain, "c22", "c₂₂", "m/N", "shear compliance of the crack along its edge, Eq. (8b)"),
     (Quantity::C33, Plain, "c33", "c₃₃", "rad/(N m)", "bending compliance of the crack that opens its whole edge, Eq. (8c)"),
@@ -116,13 +126,18 @@ const TABLE: [Row; 22] = [
     (Quantity::Epsilon12, Plain, "epsilon_12", "ε₁₂", "", "relative variation of the coupling stiffness"),
     (Quantity::Epsilon2, Plain, "epsilon_2", "ε₂", "", "relative variation of the tilting stiffness"),
     (Quantity::SirStart, Region(Simple, Start), "sir_start", "Ω_s", TIMES_REFERENCE_SPEED, "start of the simple instability region, Eq. (15)"),
+    (Quantity::UpperSirStart, Region(UpperSimple, Start), "upper_sir_start", "Ω_s,2", TIMES_REFERENCE_SPEED, "start of the upper simple instability region, for β < 1 (E9)"),
     (Quantity::CirStart, Region(Combination, Start), "cir_start", "Ω_c", TIMES_REFERENCE_SPEED, "start of the combination instability region, Eq. (16)"),
     (Quantity::SirWidth, Region(Simple, Width), "sir_width", "λ_s", TIMES_REFERENCE_SPEED, "width of the simple instability region, Eq. (31)"),
+    (Quantity::UpperSirWidth, Region(UpperSimple, Width), "upper_sir_width", "λ_s,2", TIMES_REFERENCE_SPEED, "width of the upper simple instability region, Eq. (31)"),
     (Quantity::CirWidth, Region(Combination, Width), "cir_width", "λ_c", TIMES_REFERENCE_SPEED, "width of the combination instability region, Eq. (31)"),
     (Quantity::SirZupAsymmetry, Region(Simple, ZupAsymmetry), "sir_zup_asymmetry", "Δ_d,s", "", "disk asymmetry that closes the simple region at φ = π/2, Eq. (32)"),
+    (Quantity::UpperSirZupAsymmetry, Region(UpperSimple, ZupAsymmetry), "upper_sir_zup_asymmetry", "Δ_d,s,2", "", "disk asymmetry that closes the upper simple region at φ = π/2, Eq. (32)"),
     (Quantity::CirZupAsymmetry, Region(Combination, ZupAsymmetry), "cir_zup_asymmetry", "Δ_d,c", "", "disk asymmetry that closes the combination region at φ = 0, Eq. (32)"),
     (Quantity::SirExactLower, Region(Simple, ExactLower), "sir_exact_lower", "Ω_s,lower", TIMES_REFERENCE_SPEED, "exact lower end of the simple instability region"),
     (Quantity::SirExactUpper, Region(Simple, ExactUpper), "sir_exact_upper", "Ω_s,upper", TIMES_REFERENCE_SPEED, "exact upper end of the simple instability region"),
+    (Quantity::UpperSirExactLower, Region(UpperSimple, ExactLower), "upper_sir_exact_lower", "Ω_s,2,lower", TIMES_REFERENCE_SPEED, "exact lower end of the upper simple instability region"),
+    (Quantity::UpperSirExactUpper, Region(UpperSimple, ExactUpper), "upper_sir_exact_upper", "Ω_s,2,upper", TIMES_REFERENCE_SPEED, "exact upper end of the upper simple instability region"),
     (Quantity::CirExactLower, Region(Combination, ExactLower), "cir_exact_lower", "Ω_c,lower", TIMES_REFERENCE_SPEED, "exact lower end of the combination instability region"),
     (Quantity::CirExactUpper, Region(Combination, ExactUpper), "cir_exact_upper", "Ω_c,upper", TIMES_REFERENCE_SPEED, "exact upper end of the combination instability region"),
     (Quantity::GrowthRate, AtSpeed, "growth_rate", "μ", TIMES_REFERENCE_SPEED, "exact growth rate at a speed, 0 where the motion is stable"),

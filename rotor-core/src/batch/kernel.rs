@@ -347,7 +347,7 @@ impl<'a> Kernel<'a> {
         };
         points.compute(&self.plan.stages)?;
         if block.inertia_of != Some(self.row.updates()) {
-            points.trust_inertia(self.plan.combination, &mut block.inertia);
+            points.trust_inertia(self.plan.inertia_ratio_limit, &mut block.inertia);
             block.inertia_of = Some(self.row.updates());
         }
         let evaluation = Evaluation {

@@ -374,8 +374,8 @@ impl Points<'_> {
         Some(())
     }
 
-    /// Trusts the points whose polar inertia a rigid body may have, less than that of a flat disk for a combination region.
-    pub(super) fn trust_inertia(&mut self, combination: bool, trust: &mut Trust) {
+    /// Trusts the points whose polar inertia a rigid body may have, and of which $\beta$ is below the limit of a region.
+    pub(super) fn trust_inertia(&mut self, limit: Option<f64>, trust: &mut Trust) {
         let sides = [Column::DiskPolarInertia, Column::DiskDiametralInertia];
         self.take(&sides);
         let points = if sides.iter().any(|side| self.varies(*side)) {
@@ -387,8 +387,11 @@ impl Points<'_> {
         let [polar, diametral] = self.of_block.columns(&sides);
         let ratios = polar.iter().zip(diametral);
         for (point, (polar, diametral)) in trust.points.iter_mut().zip(ratios) {
-            let most = 2.0 * diametral;
-            *point = *polar < most || !combination && *polar == most;
+            *point = match limit {
+                // As the quotient is rounded, so may the product be: then the point is looked at alone.
+                Some(limit) => *polar < limit * diametral && polar / diametral < limit,
+                None => *polar <= 2.0 * diametral,
+            };
             trust.all &= *point;
         }
     }

@@ -30,8 +30,8 @@ pub(super) struct Plan {
     pub(super) ways: Vec<Way>,
     /// The stages that are to be computed before, in order; of alternatives the first.
     pub(super) stages: Vec<Stage>,
-    /// Whether a quantity is of a combination region, for which $\beta < 2$.
-    pub(super) combination: bool,
+    /// What $\beta$ has to be below for all regions that quantities are of.
+    pub(super) inertia_ratio_limit: Option<f64>,
     /// Whether a quantity is found by iteration, which takes no other points than those that are to be trusted.
     pub(super) iteration: bool,
 }
@@ -57,12 +57,12 @@ pub(super) enum Digits {
 impl Plan {
     /// The plan for quantities where this varies.
     pub(super) fn of(quantities: &[Quantity], varied: Varied, digits: Digits) -> Self {
+        let regions = quantities.iter().filter_map(|quantity| quantity.region());
+        let limits = regions.filter_map(RegionKind::inertia_ratio_limit);
         let mut plan = Self {
             ways: Vec::new(),
             stages: Vec::new(),
-            combination: quantities
-                .iter()
-                .any(|quantity| quantity.region() == Some(RegionKind::Combination)),
+            inertia_ratio_limit: limits.reduce(f64::min),
             iteration: false,
         };
         // What is computed for other quantities anyway costs nothing: formulas with a choice come last.

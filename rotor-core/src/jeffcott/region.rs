@@ -56,7 +56,7 @@ impl RegionKind {
     }
 
     /// The region exists only for $\beta$ below this.
-    const fn inertia_ratio_limit(self) -> Option<f64> {
+    pub(crate) const fn inertia_ratio_limit(self) -> Option<f64> {
         match self {
             Self::Simple => None,
             Self::UpperSimple => Some(1.0),
