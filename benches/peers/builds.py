@@ -43,34 +43,36 @@ FAST = ["-O3", "-ffast-math"]
 STRICT = ["-O3", "-fno-math-errno", "-fno-trapping-math", "-ffp-contract=fast"]
 # gcc makes one call `sincos` of the sine and cosine of one angle, of which there is no function of packs.
 APART = ["-fdisable-tree-sincos"]
+SVML = ["-fveclib=SVML"]
 
 
 
-def c(tool, compiler, flags, text, note, **options):
+def c(tool, compiler, flags, text, **options):
     """A build by a C compiler, named by what tells it from the others."""
-    shown = " ".join(flag for flag in flags if not flag.startswith(("-fno-semantic", "-fdisable")))
-    name = f"{compiler} {shown}" + (f", {note}" if note else "") + f"; {TEXTS[text]}"
+    name = f"`{compiler} {' '.join(flags)}`"
+    if tool == "c":
+        name += f", {TEXTS[text]}"
     return Build(tool, name, options | {"compiler": compiler, "flags": flags, "text": text})
 
 
 def c_builds(target, widths):
     """For C: both compilers, with and without -ffast-math, each library of vector functions, each width of packs."""
     plain = [*FAST, target]
-    found = [c("c", GCC, plain, "sympy", "as up to now", pragmas=False)]
+    found = [c("c", GCC, plain, "sympy", pragmas=False)]
     for width in widths:
         wide = [f"-mprefer-vector-width={width}"]
         found += [
-            c("c", GCC, [*plain, *wide, *APART], "equations", "libmvec, sin and cos apart"),
-            c("c", GCC, [*STRICT, target, *wide, *APART], "equations", "libmvec, sin and cos apart", declared=True),
-            c("c", CLANG, [*plain, *wide], "equations", "SVML", svml=True),
-            c("c", CLANG, [*plain, *wide], "sympy", "SVML", svml=True),
+            c("c", GCC, [*plain, *wide, *APART], "equations"),
+            c("c", GCC, [*STRICT, target, *wide, *APART], "equations", declared=True),
+            c("c", CLANG, [*plain, *wide, *SVML], "equations"),
+            c("c", CLANG, [*plain, *wide, *SVML], "sympy"),
         ]
     # clang knows libmvec's functions of 4 numbers, not those of 8.
     narrow = "-mprefer-vector-width=256"
     found += [
-        c("c", CLANG, [*plain, narrow, "-fveclib=libmvec"], "equations", ""),
-        c("c", CLANG, [*STRICT, target, narrow, "-fveclib=libmvec"], "equations", ""),
-        c("c", CLANG, [*plain, narrow, "-fveclib=libmvec"], "sympy", ""),
+        c("c", CLANG, [*plain, narrow, "-fveclib=libmvec"], "equations"),
+        c("c", CLANG, [*STRICT, target, narrow, "-fveclib=libmvec"], "equations"),
+        c("c", CLANG, [*plain, narrow, "-fveclib=libmvec"], "sympy"),
     ]
     return found
 
@@ -80,12 +82,12 @@ def symforce_builds(target, widths):
     narrow = "-mprefer-vector-width=256"
     as_cpp = {"language": "cpp"}
     found = [
-        c("symforce", "g++", [*FAST, target, narrow], "symforce", "libmvec", **as_cpp),
-        c("symforce", "clang++-19", [*FAST, target, narrow, "-fveclib=libmvec"], "symforce", "", **as_cpp),
+        c("symforce", "g++", [*FAST, target, narrow], "symforce", **as_cpp),
+        c("symforce", "clang++-19", [*FAST, target, narrow, "-fveclib=libmvec"], "symforce", **as_cpp),
     ]
     for width in widths:
-        flags = [*FAST, target, f"-mprefer-vector-width={width}"]
-        found.append(c("symforce", "clang++-19", flags, "symforce", "SVML", svml=True, **as_cpp))
+        flags = [*FAST, target, f"-mprefer-vector-width={width}", *SVML]
+        found.append(c("symforce", "clang++-19", flags, "symforce", **as_cpp))
     return found
 
 
@@ -94,20 +96,20 @@ def staged_c_builds(target, widths):
     for width in widths:
         for compiler in (GCC, CLANG):
             flags = [*FAST, target, f"-mprefer-vector-width={width}"]
-            found.append(c("c-staged", compiler, flags, "equations", ""))
+            found.append(c("c-staged", compiler, flags, "equations"))
     past = [*FAST, target, "-DPAST_CACHES"]
-    return [*found, c("c-staged", CLANG, past, "equations", "stores past the caches")]
+    return [*found, c("c-staged", CLANG, past, "equations")]
 
 
 def numba_builds(tool, wide, native):
     """The newest Numba, and the last one whose wheels have SVML, with each text."""
     features = {} if native else {"features": "avx2"}
-    found = [Build(tool, "0.68, fastmath; SymPy's CSE", {"text": "sympy"} | features)]
+    found = [Build(tool, "0.68, fastmath, SymPy's CSE", {"text": "sympy"} | features)]
     texts = ["equations"] if tool == "numba-staged" else ["equations", "sympy"]
     for text in texts:
         for packs in ([{}, {"features": "wide"}] if wide else [features]):
             width = ", 512 bits" if packs.get("features") == "wide" else ""
-            name = f"0.61 with SVML, fastmath{width}; {TEXTS[text]}"
+            name = f"0.61 with SVML, fastmath{width}, {TEXTS[text]}"
             found.append(Build(tool, name, {"text": text, "svml": True} | packs, python="python-svml"))
     return found
 
@@ -129,15 +131,15 @@ def symjit_builds(wide):
 
 def casadi_builds(target):
     flags = [*FAST, target, "-fno-semantic-interposition"]
-    generated = lambda compiler, more, note: Build(
+    generated = lambda compiler, more: Build(
         "casadi",
-        f"its C by {compiler} {' '.join([*FAST, target, *more])}{note}",
+        f"its C by `{compiler} {' '.join([*FAST, target, *more])}`",
         {"compiler": compiler, "flags": [*flags, *more]},
     )
     return [
         Build("casadi", "its map"),
-        generated(GCC, [], ""),
-        generated(CLANG, ["-mprefer-vector-width=256", "-fveclib=libmvec"], ""),
+        generated(GCC, []),
+        generated(CLANG, ["-mprefer-vector-width=256", "-fveclib=libmvec"]),
     ]
 
 

@@ -29,9 +29,9 @@ def compiled(job, source):
     # With several threads the loops are shared out as the pragmas say; else the same pragmas only ask for packs.
     if options.get("pragmas", True):
         flags.append("-fopenmp" if job.threads > 1 else "-fopenmp-simd")
-    if options.get("svml"):
+    if "-fveclib=SVML" in flags:
         place = svml()
-        flags += ["-fveclib=SVML", f"-L{place}", f"-Wl,-rpath,{place}", "-lsvml", "-lirc", "-lintlc"]
+        flags += [f"-L{place}", f"-Wl,-rpath,{place}", "-lsvml", "-lirc", "-lintlc"]
     file, made = job.folder / f"source.{options.get('language', 'c')}", job.folder / "library.so"
     file.write_text(source)
     command = [options["compiler"], str(file), *flags, "-shared", "-fPIC", "-o", str(made), "-lmvec", "-lm"]
