@@ -154,7 +154,7 @@ def tuning_tables(level):
     for tool, names in numbered(level).items():
         abouts = [about for about in level["tuning"] if about["tool"] == tool and not about["threaded"]]
         case = next((about["case"] for about in abouts if "case" in about), None)
-        title = f"rates in {case}, million points/s" if case else "it could not be tried"
+        title = f"shortest run in {case}, million points/s" if case else "it could not be tried"
         lines += [f"**{NAMES[tool]}** ({title})", "", "| | build | as written | cos 2φ | vector functions |", "|---|---|---|---|---|"]
         for number, name in enumerate(names, 1):
             mine = [about for about in abouts if about["build"] == name]

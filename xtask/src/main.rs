@@ -141,7 +141,8 @@ fn help() -> String {
     );
     text.push_str(
         "cargo xtask peers     times this library beside other tools and writes docs/performance.md; needs Python 3.11, gcc,\n\
-         \x20                     g++, clang-19 with libomp, and the network; --quick does it in small, --counts counts the tools' operations anew\n",
+         \x20                     g++, clang-19, libomp-19-dev, the network and half an hour; --quick does it in small,\n\
+         \x20                     --counts counts the tools' operations anew\n",
     );
     text
 }
