@@ -1,118 +1,169 @@
 """Times this library and the other tools side by side, in one go, on the same inputs.
 
-    python compare.py FOLDER MEASURE [--quick]
+    python compare.py FOLDER PROGRAMS [--quick]
 
-FOLDER holds what `export` and `measure` wrote or will write, MEASURE is the built program `measure`. Every tool is a
-process of its own, which waits until it is its turn; in every round each tool runs each case once, so that what slows the
-machine slows all of them. Before that every tool's results are held against this library's.
+FOLDER holds what `export` and `measure` wrote or will write, PROGRAMS the built programs `measure` and `rotor`. Every tool
+is a process of its own, which waits until it is its turn. First each tool's builds are tried, in both forms of the text;
+the fastest of those with the right results is then timed beside this library.
 """
 
 import json
 import os
 import platform
-import statistics
+import shutil
 import subprocess
 import sys
 from pathlib import Path
 
 import numpy as np
 
+import accuracy
+import builds
 import report
+import timing
+from processes import Comparison
 
 HERE = Path(__file__).parent
-OURS = "rotor"
-TOOLS = ["numpy", "numexpr", "numba", "numba-staged", "jax", "jax-threads", "symjit", "casadi", "c"]
-GRID_TOOLS = ["numpy", "numexpr", "numba", "numba-staged", "jax", "jax-threads", "c"]
+SINGLE = ["numpy", "numexpr", "numba", "jax", "symjit", "casadi", "symforce", "c"]
 CASES = {
-    "widths_block": [tool for tool in TOOLS if tool != "numba-staged"],
-    "widths_stream": [tool for tool in TOOLS if tool != "numba-staged"],
-    "grid_sigma_phi": GRID_TOOLS,
-    "max_over_phi": ["numba", "numba-staged", "c"],
+    "widths_block": SINGLE,
+    "widths_stream": SINGLE,
+    "grid_sigma_phi": ["numpy", "numexpr", "numba", "jax", "symforce", "c", "numba-staged", "c-staged"],
+    "max_over_phi": ["numba", "symforce", "c", "numba-staged", "c-staged"],
 }
-OWN_CASES = ["grid_fill", "max_over_phi_whole", "physical_values", "physical_gradients", "widths_one_thread", "widths_two_threads"]
-THREADED = {"jax-threads", "rotor-threads"}
-ONE_THREAD = {name: "1" for name in ("OMP_NUM_THREADS", "NUMEXPR_NUM_THREADS", "OPENBLAS_NUM_THREADS", "NUMBA_NUM_THREADS")}
+THREADED_CASES = {
+    "widths_stream_threads": ["numexpr", "numba", "jax", "symjit", "casadi", "symforce", "c"],
+    "grid_sigma_phi_threads": ["numba", "jax", "symforce", "c", "numba-staged", "c-staged"],
+}
+# Cases of this library alone, and its process: pinned to one processor, or with all.
+OWN_CASES = {
+    "max_over_phi_whole": False,
+    "physical_values": False,
+    "physical_gradients": False,
+    "widths_one_thread": False,
+    "widths_two_threads": True,
+}
+# How often each case is run: long ones less often. `few` and `many` differ between a real and a quick comparison.
+LONG = {"grid_sigma_phi", "grid_sigma_phi_threads", "max_over_phi", "max_over_phi_whole", "scan_parquet", "scan_parquet_threads"}
 
 
-class Process:
-    """A program that answers a line for a line."""
+class Filling:
+    """This library's process, asked to fill the grid's memory in place of computing it."""
 
-    def __init__(self, name, command):
-        cpu = max(os.sched_getaffinity(0))
-        pin = None if name in THREADED else lambda: os.sched_setaffinity(0, {cpu})
-        environment = os.environ | ({} if name in THREADED else ONE_THREAD)
-        self.name = name
-        self.child = subprocess.Popen(
-            [str(part) for part in command],
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            text=True,
-            preexec_fn=pin,
-            env=environment,
-        )
+    def __init__(self, library):
+        self.library = library
 
-    def ask(self, line):
-        self.child.stdin.write(line + "\n")
-        self.child.stdin.flush()
-        answer = self.child.stdout.readline()
-        if not answer:
-            raise SystemExit(f"{self.name} stopped at `{line}`")
-        return answer.strip()
-
-    def close(self):
-        self.child.stdin.close()
-        self.child.wait()
+    def ask(self, _):
+        return self.library.ask("run grid_fill")
 
 
-def difference(found, expected):
-    """The largest difference, relative to the result or to a hundredth of the largest where it is smaller."""
-    worst = 0.0
-    for a, b in zip(np.split(found, 2), np.split(expected, 2)):
-        scale = np.maximum(np.abs(b), 0.01 * np.abs(b).max())
-        worst = max(worst, float(np.max(np.abs(a - b) / scale)))
-    return worst
+class Level:
+    """The comparison at one level of instructions."""
+
+    def __init__(self, comparison, quick):
+        self.comparison, self.quick = comparison, quick
+        self.few, self.many = (3, 5) if quick else (9, 30)
+        self.attempts = 1 if quick else timing.ATTEMPTS
+        self.library = {threaded: comparison.library(threaded) for threaded in (False, True)}
+        self.library[False].ask(f"inputs {comparison.folder}")
+        self.places = accuracy.written(comparison.folder)
+        self.about = {"level": comparison.level, "seconds": {}, "attempts": {}, "points": {}, "near": {}}
+        self.known = {}
+
+    def expected(self, case):
+        """This library's results, of one thread."""
+        if case not in self.known:
+            file = self.comparison.folder / "expected.f64"
+            self.library[False].ask(f"write {case.removesuffix('_threads')} {file}")
+            self.known = {case: np.fromfile(file)}
+        return self.known[case]
+
+    def rounds(self, case):
+        return self.few if case in LONG else self.many
+
+    def tuned(self):
+        """Every tool's builds, tried."""
+        tuning = timing.Tuning(self.comparison, self.expected, 1 if self.quick else 7)
+        for tool, tried in builds.builds(self.comparison.level, self.comparison.has_avx512).items():
+            for cases, threaded in ((CASES, False), (THREADED_CASES, True)):
+                wanted = [case for case, tools in cases.items() if tool in tools]
+                if wanted:
+                    tuning.tool(tool, tried, wanted, threaded)
+        self.known = {}
+        self.about["tuning"] = tuning.about
+        self.about["chosen"] = {f"{case} {tool} {form}": entry[0].name for (case, tool, form), (entry, _) in tuning.chosen.items()}
+        return tuning.chosen
+
+    def compared(self, chosen):
+        """Each tool's best builds beside this library, case by case."""
+        for cases, threaded in ((CASES, False), (THREADED_CASES, True)):
+            for case, tools in cases.items():
+                programs = {timing.OURS: self.library[threaded]}
+                for tool in tools:
+                    for form in timing.FORMS:
+                        if (case, tool, form) in chosen:
+                            entry, _ = chosen[case, tool, form]
+                            programs[f"{tool} {form}"] = self.comparison.worker(*entry, threaded)
+                others = [process for name, process in programs.items() if name != timing.OURS]
+                for process in others:
+                    # It was ready as its builds were tried.
+                    process.line()
+                if case == "grid_sigma_phi":
+                    programs["fill"] = Filling(self.library[threaded])
+                self.timed(case, programs)
+                self.near(case, programs)
+                for process in others:
+                    process.close()
+
+    def timed(self, case, programs):
+        seconds, attempts = timing.steady_turns(case, programs, self.rounds(case), self.attempts)
+        self.about["seconds"][case], self.about["attempts"][case] = seconds, attempts
+
+    def near(self, case, programs):
+        """The digits that the two single-threaded forms keep near zero unstable points."""
+        form = {"widths_block": "columns", "grid_sigma_phi": "grid"}.get(case)
+        if form:
+            folder = self.comparison.folder
+            found = {name: accuracy.largest_errors(process, form, self.places, folder) for name, process in programs.items() if name != "fill"}
+            self.about["near"][case] = found
+
+    def own(self):
+        """This library's own cases, and the whole of `rotor scan` beside writing its columns alone."""
+        for case, threaded in OWN_CASES.items():
+            self.timed(case, {timing.OURS: self.library[threaded]})
+        for threaded in (False, True):
+            case = "scan_parquet_threads" if threaded else "scan_parquet"
+            file = self.comparison.folder / "scan.parquet"
+            scan = self.comparison.scan(file, threaded)
+            scan.ask("")
+            alone = self.comparison.writer(file)
+            self.timed(case, {timing.OURS: scan, "alone": alone})
+            alone.close()
+            self.about["points"][case] = self.comparison.sizes[0] ** 2
+
+    def run(self):
+        self.compared(self.tuned())
+        self.own()
+        for case in [*CASES, *THREADED_CASES, *OWN_CASES]:
+            self.about["points"][case] = int(self.library[False].ask(f"points {case}"))
+        for process in self.library.values():
+            process.close()
+        return self.about
 
 
-def checked(processes, folder):
-    """The tools' differences from this library's results, case by case; ends the program where one is too large."""
-    differences = {}
-    for case, tools in CASES.items():
-        processes[OURS].ask(f"write {case} {folder / 'expected.f64'}")
-        expected = np.fromfile(folder / "expected.f64")
-        for tool in tools:
-            processes[tool].ask(f"write {case} {folder / 'found.f64'}")
-            found = np.fromfile(folder / "found.f64")
-            worst = difference(found, expected)
-            print(f"{case:16} {tool:14} differs by {worst:.1e}", flush=True)
-            if not worst <= 1e-12:
-                raise SystemExit(f"{tool} does not give the same answer in {case}")
-            differences[f"{case} {tool}"] = worst
-    return differences
-
-
-def timed(processes, rounds):
-    """Seconds of every run: by case, by tool."""
-    plan = [(case, [OURS, *tools]) for case, tools in CASES.items()]
-    plan += [(case, ["rotor-threads" if case == "widths_two_threads" else OURS]) for case in OWN_CASES]
-    seconds = {case: {tool: [] for tool in tools} for case, tools in plan}
-    for case, tools in plan:
-        # One turn that is not counted warms caches and compiles what is compiled late.
-        for turn in range(rounds[case] + 1):
-            for tool in tools:
-                took = float(processes[tool].ask(f"run {case}"))
-                if turn:
-                    seconds[case][tool].append(took)
-        print(f"{case}: " + ", ".join(f"{tool} {statistics.median(s):.3g} s" for tool, s in seconds[case].items()), flush=True)
-    return seconds
-
-
-def versions():
+def versions(folder):
+    """What was compared, as each says itself."""
     import importlib.metadata
 
-    names = ["numpy", "sympy", "numexpr", "numba", "jax", "symjit", "casadi"]
+    names = ["numpy", "sympy", "symforce", "numexpr", "numba", "jax", "symjit", "casadi", "pyarrow"]
     known = {name: importlib.metadata.version(name) for name in names}
-    first = lambda command: subprocess.run(command, capture_output=True, text=True).stdout.splitlines()[0]
-    return known | {"python": platform.python_version(), "gcc": first(["gcc", "--version"]), "rustc": first(["rustc", "--version"])}
+    listed = subprocess.run([folder / "python-svml/bin/python", "-m", "pip", "list", "--format=json"], capture_output=True, text=True)
+    svml = {package["name"]: package["version"] for package in json.loads(listed.stdout)}
+    known["numba with SVML"] = f"{svml['numba']} (intel-cmplr-lib-rt {svml['intel-cmplr-lib-rt']})"
+    for name in (builds.GCC, builds.CLANG, "rustc"):
+        found = shutil.which(name) and subprocess.run([name, "--version"], capture_output=True, text=True).stdout.splitlines()
+        known[name] = found[0] if found else "not there"
+    return known | {"python": platform.python_version(), "glibc": platform.libc_ver()[1]}
 
 
 def machine():
@@ -133,24 +184,16 @@ def machine():
     }
 
 
-def main(folder, measure, quick=False):
-    folder = Path(folder)
+def main(folder, programs, quick=False):
+    folder, programs = Path(folder).resolve(), Path(programs).resolve()
+    shutil.rmtree(folder / "scratch", ignore_errors=True)
     sizes = [400, 50, 2000] if quick else [4000, 2000, 10000]
-    about = {"machine": machine(), "versions": versions(), "sizes": sizes, "quick": quick}
-    processes = {OURS: Process(OURS, [measure, *sizes]), "rotor-threads": Process("rotor-threads", [measure, *sizes])}
-    processes[OURS].ask(f"inputs {folder}")
-    for tool in TOOLS:
-        processes[tool] = Process(tool, [sys.executable, HERE / "worker.py", tool, folder, *sizes])
-    about["differences"] = checked(processes, folder)
-    few, many = (2, 5) if quick else (5, 30)
-    rounds = {case: many for case in [*CASES, *OWN_CASES]}
-    rounds |= {"grid_sigma_phi": few, "max_over_phi": few, "max_over_phi_whole": few, "grid_fill": few, "widths_stream": max(few, many // 3)}
-    about["seconds"] = timed(processes, rounds)
-    cases = [*CASES, *OWN_CASES]
-    about["points"] = {case: int(processes[OURS].ask(f"points {case}")) for case in cases}
-    for process in processes.values():
-        process.close()
-    (folder / "results.json").write_text(json.dumps(about, indent=1))
+    about = {"machine": machine(), "versions": versions(folder), "sizes": sizes, "quick": quick, "levels": []}
+    has_avx512 = "avx512f" in about["machine"]["instructions"]
+    for level in ["avx512", "avx2"] if has_avx512 else ["avx2"]:
+        print(f"=== {level}", flush=True)
+        about["levels"].append(Level(Comparison(folder, programs, sizes, level, has_avx512), quick).run())
+        (folder / "results.json").write_text(json.dumps(about, indent=1))
     report.write(about, HERE.parents[1] / "docs" if not quick else folder)
 
 

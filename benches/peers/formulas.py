@@ -1,10 +1,9 @@
 """The formulas that the Rust side wrote out, as functions over any tool's numbers."""
 
-import importlib.util
 import json
 import math
 from pathlib import Path
-from types import SimpleNamespace
+from types import ModuleType, SimpleNamespace
 
 CONSTANTS = {"PI": 1.0, "FRAC_PI_2": 0.5, "FRAC_PI_4": 0.25}
 
@@ -32,11 +31,22 @@ class Floats:
         return SimpleNamespace(**fields)
 
 
-def module(folder):
-    """The written-out module, one function for each field, which gives its formulas by their names."""
-    spec = importlib.util.spec_from_file_location("written_formulas", Path(folder) / "formulas.py")
-    loaded = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(loaded)
+# The one formula in which an angle occurs, a² + b² + 2ab cos 2φ: as it is written, so that no digit is lost where it
+# vanishes, and as most would write it.
+WRITTEN = "op.powi(((a + b) * op.cos(angle)), 2) + op.powi(((a - b) * op.sin(angle)), 2)"
+COS_2PHI = 'op.powi(a, 2) + op.powi(b, 2) + op.number("2.0") * a * b * op.cos(op.number("2.0") * angle)'
+
+
+def module(folder, form="written"):
+    """The written-out module, one function for each field, which gives its formulas by their names; with the form
+    `cos2phi` the resultant is taken from the cosine of twice the angle."""
+    text = (Path(folder) / "formulas.py").read_text()
+    if form == "cos2phi":
+        if text.count(WRITTEN) != 1:
+            raise SystemExit("the resultant of the equations has another text than formulas.py knows")
+        text = text.replace(WRITTEN, COS_2PHI)
+    loaded = ModuleType(f"formulas_{form}")
+    exec(compile(text, f"formulas_{form}", "exec"), vars(loaded))
     return loaded
 
 

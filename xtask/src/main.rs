@@ -140,8 +140,9 @@ fn help() -> String {
         "\ncargo xtask pictures  draws README.md's pictures anew with `rotor report`; with --check it only compares\n",
     );
     text.push_str(
-        "cargo xtask peers     times this library beside other tools and writes docs/performance.md; needs Python 3.11, gcc\n\
-         \x20                     and the network; --quick does it in small, --counts counts the tools' operations anew\n",
+        "cargo xtask peers     times this library beside other tools and writes docs/performance.md; needs Python 3.11, gcc,\n\
+         \x20                     g++, clang-19, libomp-19-dev, the network and half an hour; --quick does it in small,\n\
+         \x20                     --counts counts the tools' operations anew\n",
     );
     text
 }

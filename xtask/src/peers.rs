@@ -1,6 +1,7 @@
-//! `cargo xtask peers`: this library beside other tools, in a Python environment of its own under the build folder.
+//! `cargo xtask peers`: this library beside other tools, in Python environments of its own under the build folder.
 //!
-//! No part of `cargo xtask test`: it downloads the tools, whose versions are pinned, and takes minutes.
+//! No part of `cargo xtask test`: it downloads the tools, whose versions are pinned, and takes minutes. The compilers of C are
+//! the system's; a build whose compiler is not there is left out, and the page says so.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -11,6 +12,13 @@ use crate::cargo::{cargo, run};
 
 /// Where the other tools' side stands.
 const FOLDER: &str = "benches/peers";
+
+/// The Python environments by their folders, with their lists of packages: the newest Numba has no vector mathematics in its
+/// wheels, so the last one that has it needs an older NumPy beside it.
+const ENVIRONMENTS: [(&str, &str); 2] = [
+    ("python", "requirements.txt"),
+    ("python-svml", "requirements-svml.txt"),
+];
 
 /// Times everything, and writes `docs/performance.md` with its chart.
 pub(crate) fn compare(root: &Path) -> Outcome {
@@ -38,9 +46,13 @@ pub(crate) fn counts(root: &Path) -> Outcome {
 
 fn timed(root: &Path, options: &[&str]) -> Outcome {
     let folder = prepared(root)?;
-    let measure = target(root).join("release").join("measure");
-    let (place, program) = (folder.to_string_lossy(), measure.to_string_lossy());
-    let mut arguments = vec!["compare.py", &place, &program];
+    run(&mut cargo(
+        root,
+        &["build", "--release", "--package", "rotor-cli"],
+    ))?;
+    let programs = target(root).join("release");
+    let (place, programs) = (folder.to_string_lossy(), programs.to_string_lossy());
+    let mut arguments = vec!["compare.py", &place, &programs];
     arguments.extend(options);
     python(root, &folder, &arguments)
 }
@@ -51,11 +63,13 @@ pub(crate) fn target(root: &Path) -> PathBuf {
         .map_or_else(|| root.join("target"), |folder| root.join(folder))
 }
 
-/// The folder of the comparison, with the Python environment and the formulas as Python.
+/// The folder of the comparison, with the Python environments and the formulas as Python.
 fn prepared(root: &Path) -> Result<PathBuf, String> {
     let folder = target(root).join("peers");
     fs::create_dir_all(&folder).map_err(|error| format!("a folder cannot be made: {error}"))?;
-    environment(root, &folder)?;
+    for (name, packages) in ENVIRONMENTS {
+        environment(root, &folder, name, packages)?;
+    }
     let package = ["build", "--release", "--package", "rotor-benches", "--bins"];
     run(&mut cargo(root, &package))?;
     let export = target(root).join("release").join("export");
@@ -63,15 +77,15 @@ fn prepared(root: &Path) -> Result<PathBuf, String> {
     Ok(folder)
 }
 
-/// Makes the Python environment, unless it is there with these versions.
-fn environment(root: &Path, folder: &Path) -> Outcome {
-    let requirements = root.join(FOLDER).join("requirements.txt");
+/// Makes a Python environment, unless it is there with these versions.
+fn environment(root: &Path, folder: &Path, name: &str, packages: &str) -> Outcome {
+    let requirements = root.join(FOLDER).join(packages);
     let wanted = fs::read(&requirements).map_err(|error| format!("{FOLDER}: {error}"))?;
-    let installed = folder.join("installed.txt");
+    let installed = folder.join(format!("installed-{name}.txt"));
     if fs::read(&installed).is_ok_and(|known| known == wanted) {
         return Ok(());
     }
-    let place = folder.join("python");
+    let place = folder.join(name);
     program(Command::new("python3").args(["-m", "venv"]).arg(&place))?;
     let mut pip = Command::new(place.join("bin/python"));
     pip.args(["-m", "pip", "install", "--quiet", "--requirement"])

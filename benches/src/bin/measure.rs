@@ -1,8 +1,9 @@
 //! Runs the cases as they are asked for on standard input, so that another program can take turns with this one.
 //!
 //! `run CASE` answers with the seconds of one run; `write CASE FILE` runs it and writes its results, a column after the
-//! other, as little-endian doubles; `inputs FOLDER` writes what the other tools compute from. The arguments are the sizes:
-//! of the grid, of the depths and angles of the maximum.
+//! other, as little-endian doubles; `inputs FOLDER` writes what the other tools compute from; `near FORM ROTORS ANGLES FILE`
+//! computes the rotors and angles of two files as `columns` or as a `grid`. The arguments are the sizes: of the grid, of
+//! the depths and angles of the maximum.
 #![allow(
     clippy::print_stdout,
     clippy::print_stderr,
@@ -16,7 +17,7 @@ use std::path::Path;
 use std::process::ExitCode;
 use std::time::Instant;
 
-use rotor_benches::cases::{Bench, CASES, Case, Sizes};
+use rotor_benches::cases::{Bench, CASES, Case, Sizes, near_columns, near_grid};
 use rotor_benches::inputs;
 use rotor_core::equations::{
     lateral_integral, opening_integral, sliding_integral, tearing_integral,
@@ -66,6 +67,16 @@ fn answer(sizes: Sizes) -> Result<(), Box<dyn Error>> {
                 write_inputs(Path::new(folder), sizes)?;
                 println!("done");
             }
+            ["near", form, rotors, angles, file] => {
+                let rotors = read(Path::new(rotors), COEFFICIENTS)?;
+                let angles = read(Path::new(angles), 1)?.concat();
+                let widths = match form {
+                    "grid" => near_grid(&rotors, &angles)?,
+                    _ => near_columns(&rotors, &angles)?,
+                };
+                write(Path::new(file), &widths)?;
+                println!("done");
+            }
             _ => return Err(format!("there is no command `{line}`").into()),
         }
         std::io::stdout().flush()?;
@@ -76,6 +87,18 @@ fn answer(sizes: Sizes) -> Result<(), Box<dyn Error>> {
 fn case(name: &str) -> Result<&'static Case, String> {
     let known = CASES.iter().find(|case| case.name == name);
     known.ok_or_else(|| format!("there is no case `{name}`"))
+}
+
+/// The coefficients of a rotor but the angle of its crack.
+const COEFFICIENTS: usize = 7;
+
+/// So many columns of a file, of little-endian doubles.
+fn read(file: &Path, columns: usize) -> std::io::Result<Vec<Vec<f64>>> {
+    let bytes = fs::read(file)?;
+    let (numbers, _) = bytes.as_chunks::<{ size_of::<f64>() }>();
+    let numbers: Vec<f64> = numbers.iter().copied().map(f64::from_le_bytes).collect();
+    let rows = (numbers.len() / columns).max(1);
+    Ok(numbers.chunks(rows).map(<[f64]>::to_vec).collect())
 }
 
 fn write(file: &Path, columns: &[impl AsRef<[f64]>]) -> std::io::Result<()> {
