@@ -53,7 +53,9 @@ mod tests {
 
     #[test]
     fn together_is_the_same_as_alone() {
-        let rotor = Rotor::default();
+        // It has all three regions.
+        let rotor = Rotor::default().with(|p| p.disk_polar_inertia *= 0.5);
+        let rotor = rotor.unwrap();
         let together = evaluate(&Quantity::ALL, &rotor);
         for (quantity, value) in Quantity::ALL.into_iter().zip(together) {
             assert_eq!(value, quantity.evaluate(&rotor), "{quantity}");
