@@ -11,13 +11,13 @@ use rayon::prelude::*;
 use crate::command_line::ReportArguments;
 use crate::doubts::doubts;
 use crate::failure::{Failure, Outcome};
-use crate::figure::{Figure, FigureError};
 use crate::output::{self, StagedFolder};
 use crate::rotor_file;
 use crate::table::{Table, wrapped};
 use crate::zup;
 use analysis::Analysis;
 use html::Picture;
+use rotor_plot::{Figure, PlotError};
 
 /// Reports on a rotor: computes all, writes the files, prints the tables, and says where the files are.
 ///
@@ -81,7 +81,7 @@ struct Drawn {
     csv: String,
 }
 
-fn draw(figure: &Figure) -> Result<Drawn, FigureError> {
+fn draw(figure: &Figure) -> Result<Drawn, PlotError> {
     let picture = Picture {
         name: figure.name.clone(),
         svg: figure.svg()?,

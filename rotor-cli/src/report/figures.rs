@@ -12,9 +12,9 @@ use rotor_core::jeffcott::region::{self, NoRegion, RegionKind};
 use rotor_core::jeffcott::rotor::Rotor;
 
 use super::analysis::Analysis;
-use crate::figure::{Axis, Curve, Dash, Figure, Mark, Panel, Plot, Ticks};
 use crate::shown::shortened;
 use crate::table::shortest;
+use rotor_plot::{Axis, Curve, Dash, Figure, Mark, Panel, Plot, Ticks};
 
 /// Crack depths of Fig. 6.
 const DEPTHS: [f64; 4] = [0.1, 0.2, 0.25, 0.3];

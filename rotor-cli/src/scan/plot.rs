@@ -14,9 +14,9 @@ use rotor_core::study::{self, Plan, Scan};
 use rotor_core::unit::TIMES_REFERENCE_SPEED;
 
 use crate::failure::Failure;
-use crate::figure::{Axis, Curve, Dash, Figure, FigureError, Map, Mark, Panel, Plot, Ticks};
 use crate::output::Destination;
 use crate::table::shortest;
+use rotor_plot::{Axis, Curve, Dash, Figure, Format, Map, Mark, Panel, Plot, PlotError, Ticks};
 
 /// Most values of a curve, of each axis of a map, and of each axis that small maps stand for.
 const MOST: (usize, usize, usize) = (2001, 201, 4);
@@ -25,28 +25,31 @@ const MOST_MAPS: usize = 36;
 /// About so many contour lines.
 const LEVELS: f64 = 10.0;
 
-/// The formats of a picture.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Picture {
-    Svg,
-    Png,
+/// The format that a path's extension names.
+///
+/// # Errors
+///
+/// Where the extension names none.
+fn format_of(path: &Path) -> Result<Format, Failure> {
+    let extension = path.extension().and_then(|extension| extension.to_str());
+    let named = Format::ALL
+        .into_iter()
+        .find(|format| Some(format.extension()) == extension);
+    named.ok_or_else(|| {
+        let allowed = Format::ALL.map(|format| format!(".{}", format.extension()));
+        Failure::input(format!(
+            "--plot {}: the name must end with {}",
+            path.display(),
+            one_of(&allowed)
+        ))
+    })
 }
 
-impl Picture {
-    /// The format that a path's extension names.
-    ///
-    /// # Errors
-    ///
-    /// Where the extension is neither.
-    pub(super) fn of(path: &Path) -> Result<Self, Failure> {
-        match path.extension().and_then(|extension| extension.to_str()) {
-            Some("svg") => Ok(Self::Svg),
-            Some("png") => Ok(Self::Png),
-            _ => Err(Failure::input(format!(
-                "--plot {}: the name must end with .svg or .png",
-                path.display()
-            ))),
-        }
+/// Joins names with commas, the last with `or`.
+fn one_of(names: &[String]) -> String {
+    match names {
+        [first @ .., last] if !first.is_empty() => format!("{} or {last}", first.join(", ")),
+        _ => names.concat(),
     }
 }
 
@@ -72,14 +75,11 @@ impl Drawn {
 ///
 /// Where there is nothing that a picture could show, or the file cannot be written.
 pub(super) fn draw(plan: &Plan, path: &Path, rotor: &str) -> Result<Drawn, Failure> {
-    let picture = Picture::of(path)?;
+    let format = format_of(path)?;
     let destination = Destination::open(path)?;
     let figure = figure(plan, rotor)?;
-    let cannot = |error: FigureError| Failure::input(format!("--plot {}: {error}", path.display()));
-    let bytes = match picture {
-        Picture::Svg => figure.svg().map_err(cannot)?.into_bytes(),
-        Picture::Png => figure.png().map_err(cannot)?,
-    };
+    let cannot = |error: PlotError| Failure::input(format!("--plot {}: {error}", path.display()));
+    let bytes = figure.draw(format).map_err(cannot)?;
     let name = format!("`{}`", path.display());
     Ok(Drawn {
         bytes,

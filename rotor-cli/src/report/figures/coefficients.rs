@@ -4,7 +4,7 @@ use rotor_core::equations::Coefficients;
 use rotor_core::jeffcott::rotor::Rotor;
 
 use super::{axis, changed, deepest, depth_axis, line, panel, spaced};
-use crate::figure::{Axis, Curve, Dash, Figure, Plot};
+use rotor_plot::{Axis, Curve, Dash, Figure, Plot};
 
 /// Points of a curve.
 const POINTS: usize = 121;

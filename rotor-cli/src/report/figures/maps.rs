@@ -9,7 +9,7 @@ use rotor_core::jeffcott::zup::zup_depth;
 use super::{
     OWN_SPEED, absence, angle_axis, changed, deepest, depth_axis, spaced, width_at, width_symbol,
 };
-use crate::figure::{Annotation, Figure, Map, Plot};
+use rotor_plot::{Annotation, Figure, Map, Plot};
 
 /// Values of each axis.
 const POINTS: usize = 97;

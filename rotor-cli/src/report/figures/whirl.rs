@@ -6,7 +6,7 @@ use rotor_core::jeffcott::region::{self, RegionKind};
 use rotor_core::jeffcott::rotor::Rotor;
 
 use super::{axis, changed, line, panel, spaced};
-use crate::figure::{Annotation, Axis, Curve, Dash, Figure, Plot};
+use rotor_plot::{Annotation, Axis, Curve, Dash, Figure, Plot};
 
 /// Points of a curve.
 const POINTS: usize = 201;

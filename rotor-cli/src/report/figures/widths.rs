@@ -11,8 +11,8 @@ use super::{
     DEPTHS, OWN_SPEED, POSITIONS, absence, angle_axis, axis, changed, line, panel, spaced,
     width_at, width_symbol, with_own,
 };
-use crate::figure::{Axis, Curve, Dash, Figure, Mark, Panel, Plot, Symbol};
 use crate::report::hill;
+use rotor_plot::{Axis, Curve, Dash, Figure, Mark, Panel, Plot, Symbol};
 
 /// Points of a curve, so that every point by Floquet theory is one of them.
 const ANGLES: usize = 12 * FLOQUET_INTERVALS + 1;

@@ -7,7 +7,7 @@ use rotor_core::jeffcott::zup::{ZeroUnstablePoint, zup_depth};
 use super::{
     POSITIONS, absence, axis, changed, deepest, depth_axis, line, panel, spaced, with_own,
 };
-use crate::figure::{Annotation, Dash, Figure, Plot};
+use rotor_plot::{Annotation, Dash, Figure, Plot};
 
 /// Points of a curve.
 const POINTS: usize = 161;

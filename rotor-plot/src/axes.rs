@@ -1,0 +1,349 @@
+//! One pair of axes: their scales, the space that their labels need, and all that is drawn inside.
+
+use crate::figure::{Annotation, Axis, Curve, Map, Panel};
+use crate::geometry::{Point, Rect, distance, visible_parts};
+use crate::label::Fonts;
+use crate::legend::Legend;
+use crate::scale::{Ends, Scale};
+use crate::svg::{AXIS, Anchor, Path, Svg, Text, stroke};
+use crate::{PlotErrorKind, annotate, heat, marks};
+
+/// Size of the letters at ticks in pixels.
+pub(crate) const TICK_LETTERS: f64 = 11.5;
+/// Size of the letters of axis labels and notes in pixels.
+pub(crate) const AXIS_LETTERS: f64 = 13.0;
+/// Length of a tick in pixels; its label stands twice as far from the axis.
+pub(crate) const TICK: f64 = 4.0;
+/// Space below a frame in pixels, for ticks and their labels and the label of the axis.
+pub(crate) const BELOW: f64 = 2.0 * TICK + TICK_LETTERS + AXIS_LETTERS + 12.0;
+/// Colour of the grid.
+const GRID: &str = "#e6e6e6";
+/// Most steps between the ticks of an axis.
+const STEPS: f64 = 6.0;
+/// Least space between the labels of two ticks in pixels.
+const APART: f64 = 9.0;
+/// Least space on the right of a frame in pixels.
+const RIGHT: f64 = 18.0;
+
+/// A pair of axes and what is drawn between them.
+pub(crate) struct Axes<'a> {
+    labels: (&'a str, &'a str),
+    curves: &'a [Curve],
+    annotations: &'a [Annotation],
+    note: &'a str,
+    map: Option<(&'a Map, Option<Scale>)>,
+    x: Scale,
+    y: Scale,
+    /// Space on the left and on the right of the frame in pixels.
+    pub(crate) beside: (f64, f64),
+    /// The title and the samples of the curves.
+    pub(crate) legend: Legend<'a>,
+}
+
+impl<'a> Axes<'a> {
+    /// Lays out a panel in a width in pixels.
+    pub(crate) fn of_panel(
+        panel: &'a Panel,
+        fonts: &Fonts,
+        width: f64,
+    ) -> Result<Self, PlotErrorKind> {
+        let points = || panel.curves.iter().flat_map(|curve| &curve.points);
+        let notes = || panel.annotations.iter().map(|note| note.at);
+        let of_x = points()
+            .filter(|point| point.1.is_some())
+            .map(|point| point.0);
+        let of_y = points().filter_map(|point| point.1);
+        let x = range(&panel.title, &panel.x, of_x.chain(notes().map(|at| at.0)))?;
+        let y = range(&panel.title, &panel.y, of_y.chain(notes().map(|at| at.1)))?;
+        let ends = if panel.y.range.is_some() {
+            Ends::Kept
+        } else {
+            Ends::Rounded
+        };
+        let y = Scale::new(y.0, y.1, panel.y.ticks, ends, STEPS);
+        let beside = (width_beside(&y, fonts), RIGHT);
+        let (x, beside) = fitted(x, &panel.x, beside, width, fonts);
+        let inside = width - beside.0 - beside.1;
+        Ok(Self {
+            labels: (&panel.x.label, &panel.y.label),
+            curves: &panel.curves,
+            annotations: &panel.annotations,
+            note: &panel.note,
+            map: None,
+            x,
+            y,
+            beside,
+            legend: Legend::new(&panel.title, &panel.curves, fonts, inside),
+        })
+    }
+
+    /// Lays out a map with its colour bar in a width in pixels.
+    pub(crate) fn of_map(map: &'a Map, fonts: &Fonts, width: f64) -> Result<Self, PlotErrorKind> {
+        let x = range("", &map.x, map.x_values.iter().copied())?;
+        let y = range("", &map.y, map.y_values.iter().copied())?;
+        let y = Scale::new(y.0, y.1, map.y.ticks, Ends::Kept, STEPS);
+        let colours = heat::scale(map);
+        let bar = colours.as_ref().map_or(RIGHT, |scale| {
+            heat::BAR.0 + heat::BAR.1 + width_beside(scale, fonts)
+        });
+        let (x, beside) = fitted(x, &map.x, (width_beside(&y, fonts), bar), width, fonts);
+        let inside = width - beside.0 - beside.1;
+        Ok(Self {
+            labels: (&map.x.label, &map.y.label),
+            curves: &map.curves,
+            annotations: &map.annotations,
+            note: &map.note,
+            map: Some((map, colours)),
+            x,
+            y,
+            beside,
+            legend: Legend::new(&map.title, &map.curves, fonts, inside),
+        })
+    }
+
+    /// Draws everything, with the axes about a frame.
+    pub(crate) fn draw(&self, svg: &mut Svg, frame: &Rect, fonts: &Fonts) {
+        let curves: Vec<Vec<(f64, Option<f64>)>> = self
+            .curves
+            .iter()
+            .map(|curve| self.on_page(curve, frame))
+            .collect();
+        let along = along(&curves, frame);
+        let notes = self.notes(frame);
+        let mut labels = Vec::new();
+        if let Some((map, colours)) = &self.map {
+            let clear: Vec<_> = along
+                .iter()
+                .copied()
+                .chain(notes.iter().map(|note| note.1))
+                .collect();
+            let heat = heat::Heat {
+                map,
+                axes: self,
+                frame,
+                fonts,
+            };
+            labels = heat.draw(svg, colours.as_ref(), &clear);
+        } else {
+            self.grid(svg, frame);
+        }
+        self.ticks(svg, frame);
+        for (curve, points) in self.curves.iter().zip(&curves) {
+            marks::draw(svg, curve, points, frame, self.map.is_some());
+        }
+        svg.path(&Path::of_rectangle(frame), &stroke(AXIS, 1.0));
+        let around = annotate::Around {
+            frame,
+            curves: &along,
+            labels: &labels,
+        };
+        annotate::draw(svg, &notes, &around, fonts);
+        svg.text(&Text::new(
+            self.note,
+            frame.centre(),
+            AXIS_LETTERS,
+            Anchor::Middle,
+        ));
+        self.legend.draw(svg, (frame.left, frame.top));
+    }
+
+    /// Where a point of the plot lies on the page.
+    pub(crate) fn at(&self, (x, y): Point, frame: &Rect) -> Point {
+        (
+            frame.left + self.x.share(x) * (frame.right - frame.left),
+            frame.bottom - self.y.share(y) * (frame.bottom - frame.top),
+        )
+    }
+
+    /// The ranges of the axes; `top` is the lower end of the vertical one.
+    pub(crate) fn window(&self) -> Rect {
+        Rect {
+            left: self.x.low,
+            right: self.x.high,
+            top: self.y.low,
+            bottom: self.y.high,
+        }
+    }
+
+    /// The points of a curve on the page.
+    fn on_page(&self, curve: &Curve, frame: &Rect) -> Vec<(f64, Option<f64>)> {
+        let place = |&(x, y): &(f64, Option<f64>)| {
+            let (at, height) = self.at((x, y.unwrap_or(0.0)), frame);
+            (at, y.map(|_| height))
+        };
+        curve.points.iter().map(place).collect()
+    }
+
+    /// The annotations inside the ranges, and where their points lie on the page.
+    fn notes(&self, frame: &Rect) -> Vec<(&str, Point)> {
+        let window = self.window();
+        let shown = self.annotations.iter().filter(|note| window.holds(note.at));
+        shown
+            .map(|note| (note.label.as_str(), self.at(note.at, frame)))
+            .collect()
+    }
+
+    /// Draws the grid.
+    fn grid(&self, svg: &mut Svg, frame: &Rect) {
+        let mut grid = Path::default();
+        for &tick in &self.x.ticks {
+            let (x, _) = self.at((tick, self.y.low), frame);
+            grid.line(&[(x, frame.top), (x, frame.bottom)]);
+        }
+        for &tick in &self.y.ticks {
+            let (_, y) = self.at((self.x.low, tick), frame);
+            grid.line(&[(frame.left, y), (frame.right, y)]);
+        }
+        svg.path(&grid, &stroke(GRID, 1.0));
+    }
+
+    /// Draws ticks with their labels, and the labels of the axes.
+    fn ticks(&self, svg: &mut Svg, frame: &Rect) {
+        let mut ticks = Path::default();
+        let below = frame.bottom + 2.0 * TICK + 0.5 * TICK_LETTERS;
+        for &tick in &self.x.ticks {
+            let (x, _) = self.at((tick, self.y.low), frame);
+            ticks.line(&[(x, frame.bottom), (x, frame.bottom + TICK)]);
+            svg.text(&Text::new(
+                &self.x.write(tick),
+                (x, below),
+                TICK_LETTERS,
+                Anchor::Middle,
+            ));
+        }
+        for &tick in &self.y.ticks {
+            let (_, y) = self.at((self.x.low, tick), frame);
+            ticks.line(&[(frame.left - TICK, y), (frame.left, y)]);
+            let at = (frame.left - 2.0 * TICK, y);
+            svg.text(&Text::new(
+                &self.y.write(tick),
+                at,
+                TICK_LETTERS,
+                Anchor::End,
+            ));
+        }
+        svg.path(&ticks, &stroke(AXIS, 1.0));
+        let (x, y) = frame.centre();
+        let at = (x, frame.bottom + BELOW - 6.0 - 0.5 * AXIS_LETTERS);
+        svg.text(&Text::new(self.labels.0, at, AXIS_LETTERS, Anchor::Middle));
+        let at = (frame.left - self.beside.0 + 0.5 * AXIS_LETTERS + 2.0, y);
+        let label = Text::new(self.labels.1, at, AXIS_LETTERS, Anchor::Middle);
+        svg.text(&Text {
+            upwards: true,
+            ..label
+        });
+    }
+}
+
+/// Space that a vertical axis needs on its side of a frame in pixels.
+fn width_beside(scale: &Scale, fonts: &Fonts) -> f64 {
+    let widths = scale
+        .ticks
+        .iter()
+        .map(|&tick| fonts.width(&scale.write(tick), TICK_LETTERS));
+    widths.fold(0.0, f64::max) + 2.0 * TICK + AXIS_LETTERS + 10.0
+}
+
+/// The scale of a horizontal axis with as many ticks as have room for their labels, and the spaces beside the frame,
+/// widened where the first or the last label reaches out.
+fn fitted(
+    (low, high): (f64, f64),
+    axis: &Axis,
+    (mut left, mut right): (f64, f64),
+    width: f64,
+    fonts: &Fonts,
+) -> (Scale, (f64, f64)) {
+    let mut steps = STEPS;
+    loop {
+        let scale = Scale::new(low, high, axis.ticks, Ends::Kept, steps);
+        let inside = width - left - right;
+        let labels: Vec<(f64, f64)> = scale
+            .ticks
+            .iter()
+            .map(|&tick| {
+                (
+                    inside * scale.share(tick),
+                    0.5 * fonts.width(&scale.write(tick), TICK_LETTERS),
+                )
+            })
+            .collect();
+        let fits =
+            |((a, half), (b, other)): (&(f64, f64), &(f64, f64))| b - a >= half + other + APART;
+        if steps <= 1.0 || labels.iter().zip(labels.iter().skip(1)).all(fits) {
+            left = labels
+                .first()
+                .map_or(left, |(at, half)| left.max(half - at));
+            right = labels
+                .last()
+                .map_or(right, |(at, half)| right.max(half - (inside - at)));
+            return (scale, (left, right));
+        }
+        steps -= 1.0;
+    }
+}
+
+/// The range of an axis: its own, or the one of the data.
+fn range(
+    panel: &str,
+    axis: &Axis,
+    data: impl Iterator<Item = f64>,
+) -> Result<(f64, f64), PlotErrorKind> {
+    let label = || axis.label.clone();
+    let (low, high) = match axis.range {
+        Some((low, high)) if low < high => (low, high),
+        Some((low, high)) => {
+            return Err(PlotErrorKind::Range {
+                axis: label(),
+                low,
+                high,
+            });
+        }
+        None => {
+            let wider = |range: Option<(f64, f64)>, value: f64| {
+                let (low, high) = range.unwrap_or((value, value));
+                Some((low.min(value), high.max(value)))
+            };
+            data.fold(None, wider).ok_or_else(|| PlotErrorKind::Empty {
+                panel: panel.to_owned(),
+                axis: label(),
+            })?
+        }
+    };
+    if !(high - low).is_finite() {
+        return Err(PlotErrorKind::Range {
+            axis: label(),
+            low,
+            high,
+        });
+    }
+    if axis.ticks == crate::Ticks::Logarithmic && low <= 0.0 {
+        return Err(PlotErrorKind::Logarithm { axis: label(), low });
+    }
+    // A single value stands in the middle.
+    let around = match high - low {
+        span if span > 1e-300 => 0.0,
+        _ if low == 0.0 => 0.1,
+        _ => (0.1 * low.abs()).max(1e-300),
+    };
+    // A logarithmic axis stays above zero.
+    let least = if low - around > 0.0 || axis.ticks != crate::Ticks::Logarithmic {
+        low - around
+    } else {
+        low
+    };
+    Ok((least, high + around))
+}
+
+/// Points every few pixels along the curves on the page.
+fn along(curves: &[Vec<(f64, Option<f64>)>], frame: &Rect) -> Vec<Point> {
+    let mut points = Vec::new();
+    for part in curves.iter().flat_map(|curve| visible_parts(curve, frame)) {
+        for (&from, &to) in part.iter().zip(part.iter().skip(1)) {
+            let steps = (distance(from, to) / 4.0).ceil().max(1.0);
+            let at = |k: i32| f64::from(k) / steps;
+            let point = |t: f64| (from.0 + t * (to.0 - from.0), from.1 + t * (to.1 - from.1));
+            points.extend((0..=steps as i32).map(at).map(point));
+        }
+    }
+    points
+}
