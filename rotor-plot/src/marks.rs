@@ -13,7 +13,7 @@ const PALETTE: [&str; 7] = [
 /// Width of a curve in pixels.
 const LINE_WIDTH: f64 = 1.8;
 /// Width of the white lines beside a curve on a map in pixels.
-const HALO_WIDTH: f64 = 4.2;
+const HALO_WIDTH: f64 = 3.4;
 /// Length of a line and of a symbol in a legend in pixels: a line shows its whole pattern.
 const SAMPLE: (f64, f64) = (34.0, 10.0);
 

@@ -12,7 +12,9 @@ const WIDTHS: (f64, f64) = (640.0, 900.0);
 /// Height of a panel and of a map with their axes, without their legends, in pixels.
 const HEIGHTS: (f64, f64) = (324.0, 392.0);
 /// Width and height of a small map without its legend in pixels, and how many stand side by side.
-const SMALL_MAP: ((f64, f64), usize) = ((420.0, 292.0), 3);
+const SMALL_MAP: ((f64, f64), usize) = ((432.0, 292.0), 3);
+/// Space between small maps side by side in pixels.
+const GUTTER: f64 = 16.0;
 /// Space about the page, beside the caption, above a frame or its legend, and above the caption in pixels.
 const SPACE: (f64, f64, f64, f64) = (8.0, 18.0, 7.0, 6.0);
 /// Size of the caption's letters and the distance of its lines in pixels.
@@ -24,7 +26,9 @@ const MOST_HEIGHT: f64 = 10_000.0;
 struct Rows<'a> {
     plots: Vec<Axes<'a>>,
     columns: usize,
+    /// Distance from column to column, and height.
     size: (f64, f64),
+    plot_width: f64,
     page_width: f64,
 }
 
@@ -46,7 +50,7 @@ pub(crate) fn draw(figure: &Figure) -> Result<String, PlotErrorKind> {
             let left = SPACE.0 + rows.size.0 * column as f64;
             let frame = Rect {
                 left: left + plot.beside.0,
-                right: left + rows.size.0 - plot.beside.1,
+                right: left + rows.plot_width - plot.beside.1,
                 top: frame_top,
                 bottom: top - BELOW,
             };
@@ -88,6 +92,7 @@ fn lay_out<'a>(plot: &'a Plot, fonts: &Fonts) -> Result<Rows<'a>, PlotErrorKind>
                 plots,
                 columns,
                 size: (width, HEIGHTS.0),
+                plot_width: width,
                 page_width,
             })
         }
@@ -98,19 +103,23 @@ fn lay_out<'a>(plot: &'a Plot, fonts: &Fonts) -> Result<Rows<'a>, PlotErrorKind>
                 plots,
                 columns: 1,
                 size: (width, HEIGHTS.1),
+                plot_width: width,
                 page_width: WIDTHS.0,
             })
         }
         Plot::Maps(maps) => {
             let (size, most) = SMALL_MAP;
             let columns = maps.len().clamp(1, most);
-            let plots = maps.iter().map(|map| Axes::of_map(map, fonts, size.0));
+            let plots = maps
+                .iter()
+                .map(|map| Axes::of_map(map, fonts, size.0 - GUTTER));
             let plots = plots.collect::<Result<_, _>>()?;
-            let page_width = (size.0 * columns as f64 + 2.0 * SPACE.0).max(WIDTHS.0);
+            let page_width = (size.0 * columns as f64 - GUTTER + 2.0 * SPACE.0).max(WIDTHS.0);
             Ok(Rows {
                 plots,
                 columns,
                 size,
+                plot_width: size.0 - GUTTER,
                 page_width,
             })
         }

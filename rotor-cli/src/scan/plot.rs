@@ -94,6 +94,8 @@ struct Shown {
     columns: Vec<Variable>,
     /// For each value those of all its columns.
     values: Vec<Vec<f64>>,
+    /// Whether equal steps are equal ratios.
+    logarithmic: bool,
 }
 
 impl Shown {
@@ -116,7 +118,11 @@ impl Shown {
         let mut values: Vec<Vec<f64>> = (0..count).map(pick).map(at).collect();
         values.sort_by(|a, b| a[0].total_cmp(&b[0]));
         values.dedup_by(|a, b| a[0] == b[0]);
-        Self { columns, values }
+        Self {
+            columns,
+            values,
+            logarithmic: is_logarithmic(axis),
+        }
     }
 
     fn axis(&self) -> Result<study::Axis, Failure> {
@@ -141,7 +147,8 @@ impl Shown {
         let value = if variable.unit() == "rad" {
             format!("{}°", shortest((value.to_degrees() * 1e6).round() / 1e6))
         } else {
-            shortest(value)
+            // Without the last digits, in which an evenly spaced value differs from the decimal number that is meant.
+            shortest(format!("{value:.11e}").parse().unwrap_or(value))
         };
         format!(
             "{} = {}",
@@ -159,8 +166,29 @@ impl Shown {
                 ticks: Ticks::Degrees,
             };
         }
-        axis(&markup(variable.symbol()), variable.unit())
+        let ticks = if self.logarithmic {
+            Ticks::Logarithmic
+        } else {
+            Ticks::Decimal
+        };
+        Axis {
+            ticks,
+            ..axis(&markup(variable.symbol()), variable.unit())
+        }
     }
+}
+
+/// Whether the values of an axis grow by equal ratios, as far as its ends, its middle and a third tell.
+fn is_logarithmic(axis: &scan::Axis) -> bool {
+    let last = axis.len() - 1;
+    let (start, stop) = (axis.value(0, 0), axis.value(0, last));
+    // Within a hundredth, ratios and differences can hardly be told apart.
+    let far = start > 0.0 && stop > 0.0 && (stop / start).ln().abs() > 0.01;
+    let even = |index: u64| {
+        let value = start * (stop / start).powf(index as f64 / last as f64);
+        (axis.value(0, index) / value - 1.0).abs() < 1e-9
+    };
+    last >= 2 && far && [last / 2, last.div_ceil(3)].into_iter().all(even)
 }
 
 fn axis(symbol: &str, unit: &str) -> Axis {
@@ -235,7 +263,7 @@ fn figure(plan: &Plan, rotor: &str) -> Result<Figure, Failure> {
     Ok(Figure {
         name: "scan".to_owned(),
         caption: format!(
-            "{}. Rotor: {rotor}{}; crack model {}, edge {}. Gray, or a gap: there is none.",
+            "{}. Rotor: {rotor}{}; crack model {}, edge {}. Hatched, or a gap: there is none.",
             quantities.join("; "),
             fixed.concat(),
             plan.base().crack_model,
@@ -294,9 +322,17 @@ impl Drawing<'_> {
                 points: x.first().into_iter().zip(values.iter().copied()).collect(),
             };
             match panels.iter_mut().find(|(unit, _)| *unit == quantity.unit()) {
-                Some((_, panel)) => {
+                Some((unit, panel)) => {
                     let colour = panel.curves.len();
-                    panel.curves.push(Curve { colour, ..curve });
+                    let mark = Mark::Line(Dash::of(colour));
+                    let symbols = panel.curves.iter().map(|curve| curve.label.as_str());
+                    let symbols: Vec<_> = symbols.chain([curve.label.as_str()]).collect();
+                    panel.y.label = labelled(&symbols.join(", "), unit);
+                    panel.curves.push(Curve {
+                        colour,
+                        mark,
+                        ..curve
+                    });
                 }
                 None => panels.push((quantity.unit(), self.panel(x, quantity.unit(), curve))),
             }
@@ -325,7 +361,7 @@ impl Drawing<'_> {
             x: x.drawn_axis(),
             y: Axis {
                 range: empty.then_some((0.0, 1.0)),
-                ..axis("", unit)
+                ..axis(&curve.label, unit)
             },
             curves: vec![curve],
             annotations: Vec::new(),

@@ -72,7 +72,7 @@ pub(super) fn figure(rotor: &Rotor) -> Figure {
         coefficients
             .iter()
             .enumerate()
-            .map(|(index, (label, get))| line(*label, index, Dash::Solid, points(*get)))
+            .map(|(index, (label, get))| line(*label, index, Dash::of(index), points(*get)))
             .collect()
     };
     let clipped = |title: &str, label: &str, mut curves: Vec<Curve>| {

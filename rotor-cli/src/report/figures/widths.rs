@@ -187,7 +187,7 @@ fn variant_curves(kind: RegionKind, variants: &[Variant]) -> Vec<Curve> {
         line(
             label,
             index,
-            Dash::Solid,
+            Dash::of(index),
             angles.iter().map(|&angle| (angle, width(angle))).collect(),
         )
     };

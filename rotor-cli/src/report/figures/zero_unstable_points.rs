@@ -37,7 +37,7 @@ pub(super) fn figure(rotor: &Rotor, kind: RegionKind) -> Figure {
             .map(|depth| (depth, closing(depth)))
             .collect();
         let label = format!("l_c = {position} *L*");
-        curves.push(line(label, index, Dash::Solid, along));
+        curves.push(line(label, index, Dash::of(index), along));
         annotations.extend(shown(rotor, kind, position).iter().filter_map(|point| {
             let at = (point.value, closing(point.value)?);
             let mut label = format!("σ = {:.4}", point.value);
