@@ -38,14 +38,14 @@ pub(crate) fn draw(svg: &mut Svg, notes: &[(&str, Point)], around: &Around<'_>, 
             svg.path(&line, &stroke(WHITE, 2.4));
             svg.path(&line, &stroke(AXIS, 0.9));
         }
-        svg.path(&Path::of_rectangle(&place), &fill(WHITE, 0.82));
+        svg.path(&Path::of_rectangle(&place), &fill(WHITE));
         svg.text(&Text::new(label, place.centre(), LETTERS, Anchor::Middle));
         placed.push(place);
     }
     for (colour, radius) in [(WHITE, 4.6), (INK, 3.4)] {
         let mut dots = Path::default();
         points.iter().for_each(|&at| dots.circle(at, radius));
-        svg.path(&dots, &fill(colour, 1.0));
+        svg.path(&dots, &fill(colour));
     }
 }
 

@@ -37,7 +37,7 @@ pub(crate) struct Axes<'a> {
     /// Space on the left and on the right of the frame in pixels.
     pub(crate) beside: (f64, f64),
     /// The title and the samples of the curves.
-    pub(crate) legend: Legend<'a>,
+    pub(crate) legend: Legend,
 }
 
 impl<'a> Axes<'a> {
@@ -253,23 +253,24 @@ fn fitted(
     width: f64,
     fonts: &Fonts,
 ) -> (Scale, (f64, f64)) {
+    let inside = width - left - right;
+    let new = |steps| Scale::new(low, high, axis.ticks, Ends::Kept, steps);
+    let place = |scale: &Scale, tick: f64| {
+        let half = 0.5 * fonts.width(&scale.write(tick), TICK_LETTERS);
+        (inside * scale.share(tick), half)
+    };
     let mut steps = STEPS;
     loop {
-        let scale = Scale::new(low, high, axis.ticks, Ends::Kept, steps);
-        let inside = width - left - right;
-        let labels: Vec<(f64, f64)> = scale
+        let scale = new(steps);
+        let labels: Vec<_> = scale
             .ticks
             .iter()
-            .map(|&tick| {
-                (
-                    inside * scale.share(tick),
-                    0.5 * fonts.width(&scale.write(tick), TICK_LETTERS),
-                )
-            })
+            .map(|&tick| place(&scale, tick))
             .collect();
-        let fits =
-            |((a, half), (b, other)): (&(f64, f64), &(f64, f64))| b - a >= half + other + APART;
-        if steps <= 1.0 || labels.iter().zip(labels.iter().skip(1)).all(fits) {
+        let apart = |pair: &[(f64, f64)]| matches!(pair, [a, b] if b.0 - a.0 >= a.1 + b.1 + APART);
+        // One tick alone says nothing of the scale.
+        steps -= 1.0;
+        if labels.windows(2).all(apart) || steps < 1.0 || new(steps).ticks.len() < 2 {
             left = labels
                 .first()
                 .map_or(left, |(at, half)| left.max(half - at));
@@ -278,7 +279,6 @@ fn fitted(
                 .map_or(right, |(at, half)| right.max(half - (inside - at)));
             return (scale, (left, right));
         }
-        steps -= 1.0;
     }
 }
 

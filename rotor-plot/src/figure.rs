@@ -88,8 +88,8 @@ pub enum Mark {
     Line(Dash),
     /// A symbol at each point.
     Points(Symbol),
-    /// The area inside of each connected part of the points, tinted and hatched; in which direction and how densely
-    /// depends on the colour's index, so that areas differ without colours, too.
+    /// The area inside of each connected part of the points, hatched; in which direction and how densely depends on the
+    /// colour's index, so that areas differ without colours, too.
     Area,
 }
 

@@ -19,19 +19,11 @@ const LETTERS: f64 = 10.5;
 /// Colours of the ground and of its hatching where the quantity does not exist.
 const NOTHING: (&str, &str) = ("#f0f0f0", "#c4c4c4");
 /// How far cells reach under their right and lower neighbours in pixels, so that no viewer shows a seam.
-const OVERLAP: f64 = 0.2;
+const OVERLAP: f64 = 0.6;
 /// The colour scale viridis of matplotlib at ten even steps: as even in grey as in colours.
-const VIRIDIS: [[u8; 3]; 10] = [
-    [0x44, 0x01, 0x54],
-    [0x48, 0x28, 0x78],
-    [0x3e, 0x4a, 0x89],
-    [0x31, 0x68, 0x8e],
-    [0x26, 0x82, 0x8e],
-    [0x1f, 0x9e, 0x89],
-    [0x35, 0xb7, 0x79],
-    [0x6d, 0xcd, 0x59],
-    [0xb4, 0xde, 0x2c],
-    [0xfd, 0xe7, 0x25],
+const VIRIDIS: [u32; 10] = [
+    0x44_01_54, 0x48_28_78, 0x3e_4a_89, 0x31_68_8e, 0x26_82_8e, 0x1f_9e_89, 0x35_b7_79, 0x6d_cd_59,
+    0xb4_de_2c, 0xfd_e7_25,
 ];
 
 /// The scale of a map's colours; none if the quantity exists nowhere.
@@ -70,15 +62,14 @@ pub(crate) fn scale(map: &Map) -> Option<Scale> {
 fn colour(shade: usize) -> String {
     let place = (shade as f64 + 0.5) / SHADES as f64 * (VIRIDIS.len() - 1) as f64;
     let (below, part) = (place.floor() as usize, place.fract());
-    let at = |index: usize| {
-        VIRIDIS
-            .get(index)
-            .copied()
-            .unwrap_or_default()
-            .map(f64::from)
+    let at = |index: usize, shift: u32| {
+        let colour = VIRIDIS.get(index).copied().unwrap_or_default();
+        f64::from((colour >> shift) & 0xff)
     };
-    let (from, to) = (at(below), at(below + 1));
-    let [red, green, blue] = [0, 1, 2].map(|k| (from[k] + part * (to[k] - from[k])).round() as u8);
+    let [red, green, blue] = [16, 8, 0].map(|shift| {
+        let (from, to) = (at(below, shift), at(below + 1, shift));
+        (from + part * (to - from)).round() as u8
+    });
     format!("#{red:02x}{green:02x}{blue:02x}")
 }
 
@@ -95,7 +86,7 @@ impl Heat<'_> {
     /// labels, which stay away from the points to keep clear.
     pub(crate) fn draw(&self, svg: &mut Svg, scale: Option<&Scale>, clear: &[Point]) -> Vec<Rect> {
         if self.map.values.iter().any(Option::is_none) {
-            svg.path(&Path::of_rectangle(self.frame), &fill(NOTHING.0, 1.0));
+            svg.path(&Path::of_rectangle(self.frame), &fill(NOTHING.0));
             let mut lines = Path::default();
             for segment in hatch(&self.frame.corners(), 6.0, true) {
                 lines.line(&segment);
@@ -229,10 +220,7 @@ impl Heat<'_> {
                 path.line(&line);
                 points.extend(line);
             }
-            svg.path(
-                &path,
-                &format!("{} stroke-opacity=\"0.9\"", stroke(WHITE, 1.1)),
-            );
+            svg.path(&path, &stroke(WHITE, 1.1));
             let label = scale.write(level);
             let size = (self.fonts.width(&label, LETTERS) + 4.0, LETTERS + 3.0);
             let boxes = points.iter().map(|&point| Rect::around(point, size));
@@ -243,7 +231,7 @@ impl Heat<'_> {
             }
         }
         for (label, place) in &labels {
-            svg.path(&Path::of_rectangle(place), &fill(WHITE, 0.75));
+            svg.path(&Path::of_rectangle(place), &fill(WHITE));
             svg.text(&Text::new(label, place.centre(), LETTERS, Anchor::Middle));
         }
         labels.into_iter().map(|label| label.1).collect()
@@ -276,8 +264,5 @@ impl Heat<'_> {
 
 /// Attributes of a cell: smoothed edges would show as seams between neighbours.
 fn crisp(shade: usize) -> String {
-    format!(
-        "{} shape-rendering=\"crispEdges\"",
-        fill(&colour(shade), 1.0)
-    )
+    format!("{} shape-rendering=\"crispEdges\"", fill(&colour(shade)))
 }

@@ -151,6 +151,23 @@ pub(crate) fn plain(label: &str) -> String {
     runs.into_iter().map(write).collect()
 }
 
+/// Breaks a text into lines that fit, at its spaces but not at those about an `=`.
+pub(crate) fn wrap(text: &str, fits: impl Fn(&str) -> bool) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in text
+        .replace(" = ", "\u{a0}=\u{a0}")
+        .split([' ', '\n', '\t'])
+    {
+        let longer = lines.last().map(|line| format!("{line} {word}"));
+        match (lines.last_mut(), longer.filter(|longer| fits(longer))) {
+            _ if word.is_empty() => {}
+            (Some(line), Some(longer)) => *line = longer,
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines
+}
+
 /// Family of the embedded fonts.
 pub(crate) const FAMILY: &str = "DejaVu Sans";
 

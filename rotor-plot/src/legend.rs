@@ -15,8 +15,8 @@ const SPACE: (f64, f64) = (6.0, 16.0);
 
 /// A title or a curve.
 #[derive(Debug)]
-struct Entry<'a> {
-    label: &'a str,
+struct Entry {
+    label: String,
     look: Option<(Mark, usize)>,
     row: usize,
     /// Distance from the left edge of the frame in pixels.
@@ -25,38 +25,44 @@ struct Entry<'a> {
 
 /// The title and the curves of a plot in rows.
 #[derive(Debug)]
-pub(crate) struct Legend<'a>(Vec<Entry<'a>>);
+pub(crate) struct Legend(Vec<Entry>);
 
-impl<'a> Legend<'a> {
+impl Legend {
     /// Flows the title and the curves into rows of a width in pixels; curves that look alike are one entry.
-    pub(crate) fn new(title: &'a str, curves: &'a [Curve], fonts: &Fonts, width: f64) -> Self {
-        let looks = curves
-            .iter()
-            .map(|curve| (curve.label.as_str(), Some((curve.mark, curve.colour))));
-        let title_width = fonts.width_of(&label::parse(title, Shape::Bold), LETTERS);
-        // Further rows begin below the first curve, not below the title.
-        let indent = if title.is_empty() {
-            0.0
-        } else {
-            title_width + SPACE.1
+    pub(crate) fn new(title: &str, curves: &[Curve], fonts: &Fonts, width: f64) -> Self {
+        let bold = |line: &str| fonts.width_of(&label::parse(line, Shape::Bold), LETTERS);
+        let titles = label::wrap(title, |line| bold(line) <= width);
+        let title_width = titles.last().map_or(0.0, |line| bold(line) + SPACE.1);
+        let mut row = titles.len().saturating_sub(1);
+        let title_entry = |(row, label)| Entry {
+            label,
+            look: None,
+            row,
+            x: 0.0,
         };
-        let mut entries: Vec<Entry<'a>> = Vec::new();
-        let (mut row, mut x) = (0, 0.0);
-        for (label, look) in std::iter::once((title, None)).chain(looks) {
+        let mut entries: Vec<Entry> = titles.into_iter().enumerate().map(title_entry).collect();
+        // Further rows begin below the first curve, if that leaves them room.
+        let indent = if title_width < 0.5 * width {
+            title_width
+        } else {
+            0.0
+        };
+        let mut x = title_width;
+        for curve in curves {
+            let look = Some((curve.mark, curve.colour));
             let known = entries
                 .iter()
-                .any(|entry| (entry.label, entry.look) == (label, look));
-            if label.is_empty() || known {
+                .any(|entry| entry.label == curve.label && entry.look == look);
+            if curve.label.is_empty() || known {
                 continue;
             }
-            let needed = look.map_or(title_width, |look| {
-                marks::sample_width(look.0) + SPACE.0 + fonts.width(label, LETTERS)
-            });
+            let sample = marks::sample_width(curve.mark) + SPACE.0;
+            let needed = sample + fonts.width(&curve.label, LETTERS);
             if x > indent && x + needed > width {
                 (row, x) = (row + 1, indent);
             }
             entries.push(Entry {
-                label,
+                label: curve.label.clone(),
                 look,
                 row,
                 x,
@@ -82,7 +88,7 @@ impl<'a> Legend<'a> {
                 marks::sample(svg, at, mark, colour);
                 at.0 += marks::sample_width(mark) + SPACE.0;
             }
-            let text = Text::new(entry.label, at, LETTERS, Anchor::Start);
+            let text = Text::new(&entry.label, at, LETTERS, Anchor::Start);
             svg.text(&Text {
                 bold: entry.look.is_none(),
                 ..text

@@ -110,7 +110,7 @@ fn line(svg: &mut Svg, parts: &[Vec<Point>], dash: Dash, colour: &str) {
         attributes.push_str(&format!(" stroke-dasharray=\"{}\"", dashes(dash)));
     }
     svg.path(&path, &attributes);
-    svg.path(&dots, &fill(colour, 1.0));
+    svg.path(&dots, &fill(colour));
 }
 
 /// Draws open symbols at points of the page.
@@ -130,11 +130,11 @@ fn symbols(svg: &mut Svg, points: &[Point], symbol: Symbol, colour: &str) {
             path.polygon(&outline);
         }
     }
-    svg.path(&path, &fill(WHITE, 1.0));
+    svg.path(&path, &fill(WHITE));
     svg.path(&path, &stroke(colour, 1.4));
 }
 
-/// Draws a tinted and hatched area. Neighbouring indices are hatched in different directions, every other pair more
+/// Draws a hatched area, through which all below it is seen. Neighbouring indices are hatched in different directions, every other pair more
 /// densely.
 fn area(svg: &mut Svg, outline: &[Point], index: usize) {
     let (mut inside, mut lines) = (Path::default(), Path::default());
@@ -146,7 +146,6 @@ fn area(svg: &mut Svg, outline: &[Point], index: usize) {
     for segment in hatch(outline, spacing, index % 2 == 0) {
         lines.line(&segment);
     }
-    svg.path(&inside, &fill(colour(index), 0.2));
     svg.path(&lines, &stroke(colour(index), 0.8));
     svg.path(&inside, &stroke(colour(index), 1.2));
 }

@@ -4,7 +4,7 @@ use crate::PlotErrorKind;
 use crate::axes::{Axes, BELOW};
 use crate::figure::{Figure, Plot};
 use crate::geometry::Rect;
-use crate::label::Fonts;
+use crate::label::{self, Fonts};
 use crate::svg::{Anchor, Svg, Text};
 
 /// Width of a page with one plot, and with two, in pixels.
@@ -57,7 +57,10 @@ pub(crate) fn draw(figure: &Figure) -> Result<String, PlotErrorKind> {
             plot.draw(&mut svg, &frame, &fonts);
         }
     }
-    let lines = wrap(&figure.caption, &fonts, rows.page_width - 2.0 * SPACE.1);
+    let width = rows.page_width - 2.0 * SPACE.1;
+    let lines = label::wrap(&figure.caption, |line| {
+        fonts.width(line, CAPTION.0) <= width
+    });
     top += SPACE.3;
     for (index, line) in lines.iter().enumerate() {
         let at = (SPACE.1, top + CAPTION.1 * (index as f64 + 0.5));
@@ -124,24 +127,4 @@ fn lay_out<'a>(plot: &'a Plot, fonts: &Fonts) -> Result<Rows<'a>, PlotErrorKind>
             })
         }
     }
-}
-
-/// Breaks a text into lines of a width in pixels, at its spaces but not at those about an `=`.
-fn wrap(caption: &str, fonts: &Fonts, width: f64) -> Vec<String> {
-    let mut lines: Vec<String> = Vec::new();
-    let caption = caption.replace(" = ", "\u{a0}=\u{a0}");
-    for word in caption
-        .split([' ', '\n', '\t'])
-        .filter(|word| !word.is_empty())
-    {
-        let fits = |line: &String| fonts.width(&format!("{line} {word}"), CAPTION.0) <= width;
-        match lines.last_mut() {
-            Some(line) if fits(line) => {
-                line.push(' ');
-                line.push_str(word);
-            }
-            _ => lines.push(word.to_owned()),
-        }
-    }
-    lines
 }

@@ -24,13 +24,10 @@ pub(crate) fn stroke(colour: &str, width: f64) -> String {
     format!("fill=\"none\" stroke=\"{colour}\" stroke-width=\"{width}\" stroke-linejoin=\"round\"")
 }
 
-/// Attributes of an area; an opacity of 1 is left out.
-pub(crate) fn fill(colour: &str, opacity: f64) -> String {
-    let mut attributes = format!("fill=\"{colour}\"");
-    if opacity < 1.0 {
-        attributes.push_str(&format!(" fill-opacity=\"{}\"", number(opacity)));
-    }
-    attributes
+/// Attributes of an area. Nothing is transparent: the conversion to PDF lists transparencies in an order that changes
+/// from run to run.
+pub(crate) fn fill(colour: &str) -> String {
+    format!("fill=\"{colour}\"")
 }
 
 /// The data of a `<path>`; several shapes of one look are one path.

@@ -1,3 +1,6 @@
+mod document;
+mod scales;
+
 use std::f64::consts::PI;
 
 use super::*;
