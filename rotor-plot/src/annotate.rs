@@ -2,7 +2,7 @@
 
 use crate::geometry::{Point, Rect, distance};
 use crate::label::Fonts;
-use crate::svg::{AXIS, Anchor, INK, Path, Svg, Text, WHITE, fill, stroke};
+use crate::svg::{AXIS, Anchor, INK, Path, Svg, WHITE, fill, stroke};
 
 /// Size of the letters in pixels.
 const LETTERS: f64 = 11.5;
@@ -39,7 +39,7 @@ pub(crate) fn draw(svg: &mut Svg, notes: &[(&str, Point)], around: &Around<'_>, 
             svg.path(&line, &stroke(AXIS, 0.9));
         }
         svg.path(&Path::of_rectangle(&place), &fill(WHITE));
-        svg.text(&Text::new(label, place.centre(), LETTERS, Anchor::Middle));
+        svg.write(label, place.centre(), LETTERS, Anchor::Middle);
         placed.push(place);
     }
     for (colour, radius) in [(WHITE, 4.6), (INK, 3.4)] {

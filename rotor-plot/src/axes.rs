@@ -1,12 +1,14 @@
 //! One pair of axes: their scales, the space that their labels need, and all that is drawn inside.
 
+use crate::annotate::{self, Around};
 use crate::figure::{Annotation, Axis, Curve, Map, Panel};
 use crate::geometry::{Point, Rect, distance, visible_parts};
+use crate::heat::{self, Heat};
 use crate::label::Fonts;
 use crate::legend::Legend;
 use crate::scale::{Ends, Scale};
 use crate::svg::{AXIS, Anchor, Path, Svg, Text, stroke};
-use crate::{PlotErrorKind, annotate, heat, marks};
+use crate::{PlotErrorKind, Ticks, marks};
 
 /// Size of the letters at ticks in pixels.
 pub(crate) const TICK_LETTERS: f64 = 11.5;
@@ -25,15 +27,54 @@ const APART: f64 = 9.0;
 /// Least space on the right of a frame in pixels.
 const RIGHT: f64 = 18.0;
 
-/// A pair of axes and what is drawn between them.
-pub(crate) struct Axes<'a> {
-    labels: (&'a str, &'a str),
+/// The first and the last value of an axis.
+type Span = (f64, f64);
+
+/// What is drawn between a pair of axes: a panel, or a map.
+pub(crate) struct Content<'a> {
+    title: &'a str,
+    x: &'a Axis,
+    y: &'a Axis,
     curves: &'a [Curve],
     annotations: &'a [Annotation],
     note: &'a str,
-    map: Option<(&'a Map, Option<Scale>)>,
+    map: Option<&'a Map>,
+}
+
+/// Describes what panels and maps have in common, both under the same names.
+macro_rules! content {
+    ($of:ident, $map:expr) => {
+        Content {
+            title: &$of.title,
+            x: &$of.x,
+            y: &$of.y,
+            curves: &$of.curves,
+            annotations: &$of.annotations,
+            note: &$of.note,
+            map: $map,
+        }
+    };
+}
+
+impl<'a> From<&'a Panel> for Content<'a> {
+    fn from(panel: &'a Panel) -> Self {
+        content!(panel, None)
+    }
+}
+
+impl<'a> From<&'a Map> for Content<'a> {
+    fn from(map: &'a Map) -> Self {
+        content!(map, Some(map))
+    }
+}
+
+/// A pair of axes and what is drawn between them.
+pub(crate) struct Axes<'a> {
+    content: Content<'a>,
     x: Scale,
     y: Scale,
+    /// Of a map that has a value anywhere.
+    colours: Option<Scale>,
     /// Space on the left and on the right of the frame in pixels.
     pub(crate) beside: (f64, f64),
     /// The title and the samples of the curves.
@@ -41,109 +82,74 @@ pub(crate) struct Axes<'a> {
 }
 
 impl<'a> Axes<'a> {
-    /// Lays out a panel in a width in pixels.
-    pub(crate) fn of_panel(
-        panel: &'a Panel,
+    /// Lays out a plot in a width in pixels.
+    pub(crate) fn new(
+        content: Content<'a>,
         fonts: &Fonts,
         width: f64,
     ) -> Result<Self, PlotErrorKind> {
-        let points = || panel.curves.iter().flat_map(|curve| &curve.points);
-        let notes = || panel.annotations.iter().map(|note| note.at);
-        let of_x = points()
-            .filter(|point| point.1.is_some())
-            .map(|point| point.0);
-        let of_y = points().filter_map(|point| point.1);
-        let x = range(&panel.title, &panel.x, of_x.chain(notes().map(|at| at.0)))?;
-        let y = range(&panel.title, &panel.y, of_y.chain(notes().map(|at| at.1)))?;
-        let ends = if panel.y.range.is_some() {
-            Ends::Kept
-        } else {
-            Ends::Rounded
+        let Content { title, curves, .. } = content;
+        let (x, y) = content.ranges()?;
+        let ends = match (content.map, content.y.range) {
+            (None, None) => Ends::Rounded,
+            _ => Ends::Kept,
         };
-        let y = Scale::new(y.0, y.1, panel.y.ticks, ends, STEPS);
-        let beside = (width_beside(&y, fonts), RIGHT);
-        let (x, beside) = fitted(x, &panel.x, beside, width, fonts);
-        let inside = width - beside.0 - beside.1;
+        let y = Scale::new(y.0, y.1, content.y.ticks, ends, STEPS);
+        let colours = content.map.and_then(heat::scale);
+        let bar = |scale| heat::BAR.0 + heat::BAR.1 + width_beside(scale, fonts);
+        let right = colours.as_ref().map_or(RIGHT, bar);
+        let (x, beside) = fitted(x, content.x, (width_beside(&y, fonts), right), width, fonts);
+        let legend = Legend::new(title, curves, fonts, width - beside.0 - beside.1);
         Ok(Self {
-            labels: (&panel.x.label, &panel.y.label),
-            curves: &panel.curves,
-            annotations: &panel.annotations,
-            note: &panel.note,
-            map: None,
+            content,
             x,
             y,
+            colours,
             beside,
-            legend: Legend::new(&panel.title, &panel.curves, fonts, inside),
-        })
-    }
-
-    /// Lays out a map with its colour bar in a width in pixels.
-    pub(crate) fn of_map(map: &'a Map, fonts: &Fonts, width: f64) -> Result<Self, PlotErrorKind> {
-        let x = range("", &map.x, map.x_values.iter().copied())?;
-        let y = range("", &map.y, map.y_values.iter().copied())?;
-        let y = Scale::new(y.0, y.1, map.y.ticks, Ends::Kept, STEPS);
-        let colours = heat::scale(map);
-        let bar = colours.as_ref().map_or(RIGHT, |scale| {
-            heat::BAR.0 + heat::BAR.1 + width_beside(scale, fonts)
-        });
-        let (x, beside) = fitted(x, &map.x, (width_beside(&y, fonts), bar), width, fonts);
-        let inside = width - beside.0 - beside.1;
-        Ok(Self {
-            labels: (&map.x.label, &map.y.label),
-            curves: &map.curves,
-            annotations: &map.annotations,
-            note: &map.note,
-            map: Some((map, colours)),
-            x,
-            y,
-            beside,
-            legend: Legend::new(&map.title, &map.curves, fonts, inside),
+            legend,
         })
     }
 
     /// Draws everything, with the axes about a frame.
     pub(crate) fn draw(&self, svg: &mut Svg, frame: &Rect, fonts: &Fonts) {
-        let curves: Vec<Vec<(f64, Option<f64>)>> = self
-            .curves
-            .iter()
+        let curves = self.content.curves.iter();
+        let on_page: Vec<_> = curves
+            .clone()
             .map(|curve| self.on_page(curve, frame))
             .collect();
-        let along = along(&curves, frame);
+        let along = along(&on_page, frame);
         let notes = self.notes(frame);
         let mut labels = Vec::new();
-        if let Some((map, colours)) = &self.map {
-            let clear: Vec<_> = along
-                .iter()
-                .copied()
-                .chain(notes.iter().map(|note| note.1))
-                .collect();
-            let heat = heat::Heat {
+        if let Some(map) = self.content.map {
+            let notes = notes.iter().map(|note| note.1);
+            let clear: Vec<_> = along.iter().copied().chain(notes).collect();
+            labels = Heat {
                 map,
                 axes: self,
                 frame,
                 fonts,
-            };
-            labels = heat.draw(svg, colours.as_ref(), &clear);
+            }
+            .draw(svg, self.colours.as_ref(), &clear);
         } else {
             self.grid(svg, frame);
         }
         self.ticks(svg, frame);
-        for (curve, points) in self.curves.iter().zip(&curves) {
-            marks::draw(svg, curve, points, frame, self.map.is_some());
+        for (curve, points) in curves.zip(&on_page) {
+            marks::draw(svg, curve, points, frame, self.content.map.is_some());
         }
         svg.path(&Path::of_rectangle(frame), &stroke(AXIS, 1.0));
-        let around = annotate::Around {
+        let around = Around {
             frame,
             curves: &along,
             labels: &labels,
         };
         annotate::draw(svg, &notes, &around, fonts);
-        svg.text(&Text::new(
-            self.note,
+        svg.write(
+            self.content.note,
             frame.centre(),
             AXIS_LETTERS,
             Anchor::Middle,
-        ));
+        );
         self.legend.draw(svg, (frame.left, frame.top));
     }
 
@@ -157,12 +163,7 @@ impl<'a> Axes<'a> {
 
     /// The ranges of the axes; `top` is the lower end of the vertical one.
     pub(crate) fn window(&self) -> Rect {
-        Rect {
-            left: self.x.low,
-            right: self.x.high,
-            top: self.y.low,
-            bottom: self.y.high,
-        }
+        Rect::new(self.x.low, self.y.low, self.x.high, self.y.high)
     }
 
     /// The points of a curve on the page.
@@ -177,7 +178,11 @@ impl<'a> Axes<'a> {
     /// The annotations inside the ranges, and where their points lie on the page.
     fn notes(&self, frame: &Rect) -> Vec<(&str, Point)> {
         let window = self.window();
-        let shown = self.annotations.iter().filter(|note| window.holds(note.at));
+        let shown = self
+            .content
+            .annotations
+            .iter()
+            .filter(|note| window.holds(note.at));
         shown
             .map(|note| (note.label.as_str(), self.at(note.at, frame)))
             .collect()
@@ -204,34 +209,44 @@ impl<'a> Axes<'a> {
         for &tick in &self.x.ticks {
             let (x, _) = self.at((tick, self.y.low), frame);
             ticks.line(&[(x, frame.bottom), (x, frame.bottom + TICK)]);
-            svg.text(&Text::new(
+            svg.write(
                 &self.x.write(tick),
                 (x, below),
                 TICK_LETTERS,
                 Anchor::Middle,
-            ));
+            );
         }
         for &tick in &self.y.ticks {
             let (_, y) = self.at((self.x.low, tick), frame);
             ticks.line(&[(frame.left - TICK, y), (frame.left, y)]);
             let at = (frame.left - 2.0 * TICK, y);
-            svg.text(&Text::new(
-                &self.y.write(tick),
-                at,
-                TICK_LETTERS,
-                Anchor::End,
-            ));
+            svg.write(&self.y.write(tick), at, TICK_LETTERS, Anchor::End);
         }
         svg.path(&ticks, &stroke(AXIS, 1.0));
         let (x, y) = frame.centre();
         let at = (x, frame.bottom + BELOW - 6.0 - 0.5 * AXIS_LETTERS);
-        svg.text(&Text::new(self.labels.0, at, AXIS_LETTERS, Anchor::Middle));
+        svg.write(&self.content.x.label, at, AXIS_LETTERS, Anchor::Middle);
         let at = (frame.left - self.beside.0 + 0.5 * AXIS_LETTERS + 2.0, y);
-        let label = Text::new(self.labels.1, at, AXIS_LETTERS, Anchor::Middle);
+        let label = Text::new(&self.content.y.label, at, AXIS_LETTERS, Anchor::Middle);
         svg.text(&Text {
             upwards: true,
             ..label
         });
+    }
+}
+
+impl Content<'_> {
+    /// The ranges of the axes.
+    fn ranges(&self) -> Result<(Span, Span), PlotErrorKind> {
+        if let Some(map) = self.map {
+            let of = |axis, values: &[f64]| range("", axis, values.iter().copied());
+            return Ok((of(self.x, &map.x_values)?, of(self.y, &map.y_values)?));
+        }
+        let points = self.curves.iter().flat_map(|curve| &curve.points);
+        let points = points.filter_map(|&(x, y)| y.map(|y| (x, y)));
+        let points = points.chain(self.annotations.iter().map(|note| note.at));
+        let x = range(self.title, self.x, points.clone().map(|point| point.0))?;
+        Ok((x, range(self.title, self.y, points.map(|point| point.1))?))
     }
 }
 
@@ -316,7 +331,7 @@ fn range(
             high,
         });
     }
-    if axis.ticks == crate::Ticks::Logarithmic && low <= 0.0 {
+    if axis.ticks == Ticks::Logarithmic && low <= 0.0 {
         return Err(PlotErrorKind::Logarithm { axis: label(), low });
     }
     // A single value stands in the middle.
@@ -326,7 +341,7 @@ fn range(
         _ => (0.1 * low.abs()).max(1e-300),
     };
     // A logarithmic axis stays above zero.
-    let least = if low - around > 0.0 || axis.ticks != crate::Ticks::Logarithmic {
+    let least = if low - around > 0.0 || axis.ticks != Ticks::Logarithmic {
         low - around
     } else {
         low

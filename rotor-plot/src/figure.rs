@@ -185,14 +185,8 @@ impl Map {
     /// The lines along which the map has a value, as the points of one curve with gaps.
     #[must_use]
     pub fn level_line(&self, level: f64) -> Vec<(f64, Option<f64>)> {
-        let [left, top] = [f64::NEG_INFINITY; 2];
-        let [right, bottom] = [f64::INFINITY; 2];
-        let everywhere = Rect {
-            left,
-            top,
-            right,
-            bottom,
-        };
+        let (least, most) = (f64::NEG_INFINITY, f64::INFINITY);
+        let everywhere = Rect::new(least, least, most, most);
         let mut points = Vec::new();
         for line in contour::lines(self, level, &everywhere) {
             let end = line.last().map(|end| (end.0, None));

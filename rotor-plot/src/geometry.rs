@@ -16,6 +16,16 @@ pub(crate) struct Rect {
 }
 
 impl Rect {
+    /// Creates a rectangle from its edges.
+    pub(crate) fn new(left: f64, top: f64, right: f64, bottom: f64) -> Self {
+        Self {
+            left,
+            top,
+            right,
+            bottom,
+        }
+    }
+
     /// Creates a rectangle of a size about its middle.
     pub(crate) fn around((x, y): Point, (width, height): (f64, f64)) -> Self {
         let (left, top) = (x - 0.5 * width, y - 0.5 * height);
@@ -24,13 +34,7 @@ impl Rect {
 
     /// Creates a rectangle of a size from its upper left corner.
     pub(crate) fn at((left, top): Point, (width, height): (f64, f64)) -> Self {
-        let (right, bottom) = (left + width, top + height);
-        Self {
-            left,
-            top,
-            right,
-            bottom,
-        }
+        Self::new(left, top, left + width, top + height)
     }
 
     /// Whether a point lies inside or on the edge.

@@ -147,12 +147,10 @@ impl Heat<'_> {
                         (right + OVERLAP).min(frame.right),
                         (bottom + OVERLAP).min(frame.bottom),
                     );
-                    shades.entry(shade).or_default().rectangle(&Rect {
-                        left,
-                        top,
-                        right,
-                        bottom,
-                    });
+                    shades
+                        .entry(shade)
+                        .or_default()
+                        .rectangle(&Rect::new(left, top, right, bottom));
                 }
             }
         }
@@ -185,12 +183,12 @@ impl Heat<'_> {
             let y = at(scale.share(tick));
             ticks.line(&[(bar.right, y), (bar.right + TICK, y)]);
             let label = scale.write(tick);
-            svg.text(&Text::new(
+            svg.write(
                 &label,
                 (bar.right + 2.0 * TICK, y),
                 TICK_LETTERS,
                 Anchor::Start,
-            ));
+            );
         }
         svg.path(&Path::of_rectangle(&bar), &stroke(AXIS, 1.0));
         svg.path(&ticks, &stroke(AXIS, 1.0));
@@ -232,7 +230,7 @@ impl Heat<'_> {
         }
         for (label, place) in &labels {
             svg.path(&Path::of_rectangle(place), &fill(WHITE));
-            svg.text(&Text::new(label, place.centre(), LETTERS, Anchor::Middle));
+            svg.write(label, place.centre(), LETTERS, Anchor::Middle);
         }
         labels.into_iter().map(|label| label.1).collect()
     }

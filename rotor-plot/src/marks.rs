@@ -143,7 +143,7 @@ fn area(svg: &mut Svg, outline: &[Point], index: usize) {
     }
     inside.polygon(outline);
     let spacing = if index % 4 < 2 { 6.0 } else { 3.5 };
-    for segment in hatch(outline, spacing, index % 2 == 0) {
+    for segment in hatch(outline, spacing, index.is_multiple_of(2)) {
         lines.line(&segment);
     }
     svg.path(&lines, &stroke(colour(index), 0.8));

@@ -129,6 +129,11 @@ impl Svg {
         }
     }
 
+    /// Appends a horizontal text in upright letters.
+    pub(crate) fn write(&mut self, label: &str, at: Point, size: f64, anchor: Anchor) {
+        self.text(&Text::new(label, at, size, anchor));
+    }
+
     /// Appends a text, if there is any letter in it.
     pub(crate) fn text(&mut self, text: &Text<'_>) {
         if text.label.is_empty() {

@@ -358,12 +358,7 @@ fn a_curve_breaks_at_a_gap_and_is_cut_at_the_frame() {
     // One start is the sample in the legend.
     assert_eq!((starts(&whole), starts(&broken)), (2, 3));
 
-    let window = Rect {
-        left: 0.0,
-        top: 0.0,
-        right: 5.0,
-        bottom: 2.0,
-    };
+    let window = Rect::new(0.0, 0.0, 5.0, 2.0);
     let parts = visible_parts(
         &[
             (0.0, Some(-1.0)),
@@ -639,12 +634,7 @@ fn contours_lie_on_the_level_and_stop_where_nothing_is() {
         .iter()
         .flat_map(|&y| xs.iter().map(move |&x| (y < 1.0).then(|| plane(x, y))))
         .collect();
-    let window = Rect {
-        left: 0.0,
-        top: 0.0,
-        right: 0.4,
-        bottom: 2.0,
-    };
+    let window = Rect::new(0.0, 0.0, 0.4, 2.0);
     let lines = contour::lines(map, 0.2, &window);
     assert_eq!(lines.len(), 1, "its pieces are joined");
     let line = &lines[0];

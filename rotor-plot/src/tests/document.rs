@@ -83,19 +83,9 @@ fn placed(svg: &str) -> Vec<(String, Rect)> {
         let (left, top) = (-before, -0.73 * size);
         let (right, bottom) = (left + width, 0.0);
         let rect = if text.attribute("transform").is_some() {
-            Rect {
-                left: x + top,
-                right: x + bottom,
-                top: y - right,
-                bottom: y - left,
-            }
+            Rect::new(x + top, y - right, x + bottom, y - left)
         } else {
-            Rect {
-                left: x + left,
-                right: x + right,
-                top: y + top,
-                bottom: y + bottom,
-            }
+            Rect::new(x + left, y + top, x + right, y + bottom)
         };
         placed.push((runs.into_iter().map(|run| run.text).collect(), rect));
     }
