@@ -7,7 +7,7 @@ use crate::heat::{self, Heat};
 use crate::label::Fonts;
 use crate::legend::Legend;
 use crate::scale::{Ends, Scale};
-use crate::svg::{AXIS, Anchor, Path, Svg, Text, stroke};
+use crate::svg::{AXIS, Anchor, Path, Svg, Text, WHITE, fill, stroke};
 use crate::{PlotErrorKind, Ticks, marks};
 
 /// Size of the letters at ticks in pixels.
@@ -41,30 +41,31 @@ pub(crate) struct Content<'a> {
     map: Option<&'a Map>,
 }
 
-/// Describes what panels and maps have in common, both under the same names.
-macro_rules! content {
-    ($of:ident, $map:expr) => {
-        Content {
-            title: &$of.title,
-            x: &$of.x,
-            y: &$of.y,
-            curves: &$of.curves,
-            annotations: &$of.annotations,
-            note: &$of.note,
-            map: $map,
-        }
-    };
-}
-
 impl<'a> From<&'a Panel> for Content<'a> {
     fn from(panel: &'a Panel) -> Self {
-        content!(panel, None)
+        Self {
+            title: &panel.title,
+            x: &panel.x,
+            y: &panel.y,
+            curves: &panel.curves,
+            annotations: &panel.annotations,
+            note: &panel.note,
+            map: None,
+        }
     }
 }
 
 impl<'a> From<&'a Map> for Content<'a> {
     fn from(map: &'a Map) -> Self {
-        content!(map, Some(map))
+        Self {
+            title: &map.title,
+            x: &map.x,
+            y: &map.y,
+            curves: &map.curves,
+            annotations: &map.annotations,
+            note: &map.note,
+            map: Some(map),
+        }
     }
 }
 
@@ -144,13 +145,19 @@ impl<'a> Axes<'a> {
             labels: &labels,
         };
         annotate::draw(svg, &notes, &around, fonts);
-        svg.write(
-            self.content.note,
-            frame.centre(),
-            AXIS_LETTERS,
-            Anchor::Middle,
-        );
+        self.note(svg, frame, fonts);
         self.legend.draw(svg, (frame.left, frame.top));
+    }
+
+    /// Writes the note in the middle of a frame, clear of hatching.
+    fn note(&self, svg: &mut Svg, frame: &Rect, fonts: &Fonts) {
+        let note = self.content.note;
+        if !note.is_empty() {
+            let size = (fonts.width(note, AXIS_LETTERS) + 12.0, AXIS_LETTERS + 10.0);
+            let ground = Rect::around(frame.centre(), size);
+            svg.path(&Path::of_rectangle(&ground), &fill(WHITE));
+            svg.write(note, frame.centre(), AXIS_LETTERS, Anchor::Middle);
+        }
     }
 
     /// Where a point of the plot lies on the page.

@@ -7,7 +7,7 @@ use crate::contour;
 use crate::figure::{Map, Ticks};
 use crate::geometry::{Point, Rect, distance, hatch};
 use crate::label::Fonts;
-use crate::scale::{Ends, Scale};
+use crate::scale::{Ends, Scale, round_step};
 use crate::svg::{AXIS, Anchor, Path, Svg, Text, WHITE, fill, stroke};
 
 /// Distance of the colour bar from the frame and its width in pixels.
@@ -25,6 +25,25 @@ const VIRIDIS: [u32; 10] = [
     0x44_01_54, 0x48_28_78, 0x3e_4a_89, 0x31_68_8e, 0x26_82_8e, 0x1f_9e_89, 0x35_b7_79, 0x6d_cd_59,
     0xb4_de_2c, 0xfd_e7_25,
 ];
+
+/// Round values between the smallest and the largest, about `count` of them: levels for the contour lines of a map. None
+/// where there is no value, or but one.
+#[must_use]
+pub fn levels(values: &[Option<f64>], count: f64) -> Vec<f64> {
+    let existing = || values.iter().flatten().copied();
+    let (Some(least), Some(most)) = (existing().reduce(f64::min), existing().reduce(f64::max))
+    else {
+        return Vec::new();
+    };
+    let step = round_step(most - least, count);
+    let first = (least / step).floor();
+    // More lines than these would be a grey area; where values nearly agree, all multiples may be the same number.
+    let multiples = (0..1_000).map(|index| (first + f64::from(index)) * step);
+    let levels = multiples.take_while(|&level| level < most);
+    levels
+        .filter(|&level| level > least && step > 0.0)
+        .collect()
+}
 
 /// The scale of a map's colours; none if the quantity exists nowhere.
 pub(crate) fn scale(map: &Map) -> Option<Scale> {
@@ -85,7 +104,7 @@ impl Heat<'_> {
     /// Draws the cells over a hatched ground, the bar and the contours; answers with the places of the contours'
     /// labels, which stay away from the points to keep clear.
     pub(crate) fn draw(&self, svg: &mut Svg, scale: Option<&Scale>, clear: &[Point]) -> Vec<Rect> {
-        if self.map.values.iter().any(Option::is_none) {
+        if !self.is_covered() {
             svg.path(&Path::of_rectangle(self.frame), &fill(NOTHING.0));
             let mut lines = Path::default();
             for segment in hatch(&self.frame.corners(), 6.0, true) {
@@ -99,6 +118,18 @@ impl Heat<'_> {
         self.cells(svg, scale);
         self.bar(svg, scale);
         self.contours(svg, scale, clear)
+    }
+
+    /// Whether the cells cover the whole frame.
+    fn is_covered(&self) -> bool {
+        let reach = |values: &[f64], low: f64, high: f64| {
+            values.first().is_some_and(|first| *first <= low)
+                && values.last().is_some_and(|last| *last >= high)
+        };
+        let window = self.axes.window();
+        self.map.values.iter().all(Option::is_some)
+            && reach(&self.map.x_values, window.left, window.right)
+            && reach(&self.map.y_values, window.top, window.bottom)
     }
 
     /// Edges of the cells about positions on the page: half way to the neighbours, and at the frame's ends.

@@ -62,3 +62,4 @@ pub use error::{PlotError, PlotErrorKind};
 pub use figure::{
     Annotation, Axis, Curve, Dash, Figure, Format, Map, Mark, Panel, Plot, Symbol, Ticks,
 };
+pub use heat::levels;

@@ -89,8 +89,8 @@ pub(crate) fn sample(svg: &mut Svg, (x, y): Point, mark: Mark, index: usize) {
         Mark::Line(dash) => line(svg, &[vec![(x, y), (x + width, y)]], dash, colour(index)),
         Mark::Points(symbol) => symbols(svg, &[(x + 0.5 * width, y)], symbol, colour(index)),
         Mark::Area => {
-            let box_ = Rect::around((x + 0.5 * width, y), (width, 11.0));
-            area(svg, &box_.corners(), index);
+            let swatch = Rect::around((x + 0.5 * width, y), (width, 11.0));
+            area(svg, &swatch.corners(), index);
         }
     }
 }

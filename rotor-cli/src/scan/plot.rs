@@ -16,7 +16,9 @@ use rotor_core::unit::TIMES_REFERENCE_SPEED;
 use crate::failure::Failure;
 use crate::output::Destination;
 use crate::table::shortest;
-use rotor_plot::{Axis, Curve, Dash, Figure, Format, Map, Mark, Panel, Plot, PlotError, Ticks};
+use rotor_plot::{
+    Axis, Curve, Dash, Figure, Format, Map, Mark, Panel, Plot, PlotError, Ticks, levels,
+};
 
 /// Most values of a curve, of each axis of a map, and of each axis that small maps stand for.
 const MOST: (usize, usize, usize) = (2001, 201, 4);
@@ -477,7 +479,7 @@ fn map(
         y: y.drawn_axis(),
         x_values: x.first(),
         y_values: y.first(),
-        levels: levels(values),
+        levels: levels(values, LEVELS),
         values: values.to_vec(),
         value_label: labelled(&markup(quantity.symbol()), quantity.unit()),
         curves: Vec::new(),
@@ -504,26 +506,4 @@ fn map(
         }
     }
     map
-}
-
-/// Round values between the smallest and the largest.
-fn levels(values: &[Option<f64>]) -> Vec<f64> {
-    let existing = || values.iter().flatten().copied();
-    let (Some(least), Some(most)) = (existing().reduce(f64::min), existing().reduce(f64::max))
-    else {
-        return Vec::new();
-    };
-    let rough = (most - least) / LEVELS;
-    if !(rough.is_finite() && rough > 0.0) {
-        return Vec::new();
-    }
-    let power = 10f64.powf(rough.log10().floor());
-    let steps = [1.0, 2.0, 5.0, 10.0].map(|digit| digit * power);
-    let step = steps
-        .into_iter()
-        .find(|&step| step >= rough)
-        .unwrap_or(rough);
-    let first = (least / step).floor() as i64 + 1;
-    let levels = (first..).map(|index| index as f64 * step);
-    levels.take_while(|&level| level < most).collect()
 }

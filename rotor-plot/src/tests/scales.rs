@@ -126,6 +126,32 @@ proptest! {
     }
 }
 
+proptest! {
+    #[test]
+    fn levels_are_round_and_lie_between((low, high, _) in range()) {
+        let found = levels(&[Some(high), None, Some(low)], 10.0);
+        prop_assert!((3..=12).contains(&found.len()), "{found:?}");
+        prop_assert!(found.windows(2).all(|pair| pair[0] < pair[1]));
+        prop_assert!(found.iter().all(|&level| low < level && level < high));
+        prop_assert!(matches!(only_digit(found[1] - found[0]), Some(1 | 2 | 5)), "{found:?}");
+    }
+}
+
+#[test]
+fn values_that_agree_have_no_levels() {
+    for values in [
+        &[][..],
+        &[None],
+        &[Some(1.0)],
+        &[Some(0.0), Some(5e-324)],
+        &[Some(-1.7e308), Some(1.7e308)],
+    ] {
+        assert_eq!(levels(values, 10.0), [0.0; 0], "{values:?}");
+    }
+    let next = 1.0 + f64::EPSILON;
+    assert!(levels(&[Some(1.0), Some(next)], 10.0).len() <= 1);
+}
+
 #[test]
 fn logarithmic_ticks_are_written_alike() {
     let written = |low, high| -> Vec<String> {
