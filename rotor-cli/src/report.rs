@@ -7,6 +7,7 @@ mod html;
 mod tables;
 
 use rayon::prelude::*;
+use rotor_plot::{Figure, PlotError};
 
 use crate::command_line::ReportArguments;
 use crate::doubts::doubts;
@@ -17,7 +18,6 @@ use crate::table::{Table, wrapped};
 use crate::zup;
 use analysis::Analysis;
 use html::Picture;
-use rotor_plot::{Figure, PlotError};
 
 /// Reports on a rotor: computes all, writes the files, prints the tables, and says where the files are.
 ///

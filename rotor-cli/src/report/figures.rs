@@ -10,11 +10,11 @@ use rotor_core::equations::Coefficients;
 use rotor_core::input::RotorParameters;
 use rotor_core::jeffcott::region::{self, NoRegion, RegionKind};
 use rotor_core::jeffcott::rotor::Rotor;
+use rotor_plot::{Axis, Curve, Dash, Figure, Mark, Panel, Plot, Ticks};
 
 use super::analysis::Analysis;
 use crate::shown::shortened;
 use crate::table::shortest;
-use rotor_plot::{Axis, Curve, Dash, Figure, Mark, Panel, Plot, Ticks};
 
 /// Crack depths of Fig. 6.
 const DEPTHS: [f64; 4] = [0.1, 0.2, 0.25, 0.3];

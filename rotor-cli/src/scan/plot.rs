@@ -12,13 +12,13 @@ use rotor_core::jeffcott::rotor::Rotor;
 use rotor_core::quantity::Quantity;
 use rotor_core::study::{self, Plan, Scan};
 use rotor_core::unit::TIMES_REFERENCE_SPEED;
+use rotor_plot::{
+    Axis, Curve, Dash, Figure, Format, Map, Mark, Panel, Plot, PlotError, Ticks, levels,
+};
 
 use crate::failure::Failure;
 use crate::output::Destination;
 use crate::table::shortest;
-use rotor_plot::{
-    Axis, Curve, Dash, Figure, Format, Map, Mark, Panel, Plot, PlotError, Ticks, levels,
-};
 
 /// Most values of a curve, of each axis of a map, and of each axis that small maps stand for.
 const MOST: (usize, usize, usize) = (2001, 201, 4);
@@ -181,7 +181,7 @@ impl Shown {
 }
 
 /// Whether the values of an axis grow by equal ratios, as far as its ends, its middle and a third tell.
-fn is_logarithmic(axis: &scan::Axis) -> bool {
+fn is_logarithmic(axis: &study::Axis) -> bool {
     let last = axis.len() - 1;
     let (start, stop) = (axis.value(0, 0), axis.value(0, last));
     // Within a hundredth, ratios and differences can hardly be told apart.

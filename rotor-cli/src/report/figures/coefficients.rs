@@ -2,9 +2,9 @@
 
 use rotor_core::equations::Coefficients;
 use rotor_core::jeffcott::rotor::Rotor;
+use rotor_plot::{Axis, Curve, Dash, Figure, Plot};
 
 use super::{axis, changed, deepest, depth_axis, line, panel, spaced};
-use rotor_plot::{Axis, Curve, Dash, Figure, Plot};
 
 /// Points of a curve.
 const POINTS: usize = 121;

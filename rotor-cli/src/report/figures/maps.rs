@@ -5,11 +5,11 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use rotor_core::jeffcott::region::RegionKind;
 use rotor_core::jeffcott::rotor::Rotor;
 use rotor_core::jeffcott::zup::zup_depth;
+use rotor_plot::{Annotation, Figure, Map, Plot, levels};
 
 use super::{
     OWN_SPEED, absence, angle_axis, changed, deepest, depth_axis, spaced, width_at, width_symbol,
 };
-use rotor_plot::{Annotation, Figure, Map, Plot, levels};
 
 /// Values of each axis.
 const POINTS: usize = 97;

@@ -4,9 +4,9 @@ use rotor_core::equations::{self, Coefficients};
 use rotor_core::jeffcott::exact::whirl_frequencies;
 use rotor_core::jeffcott::region::{self, RegionKind};
 use rotor_core::jeffcott::rotor::Rotor;
+use rotor_plot::{Annotation, Axis, Curve, Dash, Figure, Plot};
 
 use super::{axis, changed, line, panel, spaced};
-use rotor_plot::{Annotation, Axis, Curve, Dash, Figure, Plot};
 
 /// Points of a curve.
 const POINTS: usize = 201;

@@ -3,11 +3,11 @@
 use rotor_core::jeffcott::region::{self, RegionKind};
 use rotor_core::jeffcott::rotor::Rotor;
 use rotor_core::jeffcott::zup::{ZeroUnstablePoint, zup_depth};
+use rotor_plot::{Annotation, Dash, Figure, Plot};
 
 use super::{
     POSITIONS, absence, axis, changed, deepest, depth_axis, line, panel, spaced, with_own,
 };
-use rotor_plot::{Annotation, Dash, Figure, Plot};
 
 /// Points of a curve.
 const POINTS: usize = 161;
