@@ -7,7 +7,6 @@ mod commands;
 mod doubts;
 mod evaluate;
 mod failure;
-mod figure;
 mod files;
 mod init;
 mod interrupt;

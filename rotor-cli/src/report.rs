@@ -7,11 +7,11 @@ mod html;
 mod tables;
 
 use rayon::prelude::*;
+use rotor_plot::{Figure, PlotError};
 
 use crate::command_line::ReportArguments;
 use crate::doubts::doubts;
 use crate::failure::{Failure, Outcome};
-use crate::figure::{Figure, FigureError};
 use crate::output::{self, StagedFolder};
 use crate::rotor_file;
 use crate::table::{Table, wrapped};
@@ -81,7 +81,7 @@ struct Drawn {
     csv: String,
 }
 
-fn draw(figure: &Figure) -> Result<Drawn, FigureError> {
+fn draw(figure: &Figure) -> Result<Drawn, PlotError> {
     let picture = Picture {
         name: figure.name.clone(),
         svg: figure.svg()?,

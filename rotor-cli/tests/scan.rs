@@ -353,7 +353,7 @@ const WRONG_LINES: [(&str, &str); 17] = [
     ),
     (
         "--vary crack.angle=0:1:3 --quantity beta --plot out.jpg",
-        "the name must end with .svg or .png",
+        "the name must end with .svg, .png or .pdf",
     ),
     (
         "--vary crack.angle=0:1:3 --quantity beta --reduce median",
@@ -448,6 +448,11 @@ fn pictures_are_curves_maps_and_small_maps() {
             "maps.svg",
         ),
         (format!("{depth} {angle}"), "map.png"),
+        (format!("{depth} {angle}"), "map.pdf"),
+        (
+            "--vary disk.mass=1:100:9:log --vary crack.depth_ratio=0.1:0.4:4:log".to_owned(),
+            "decades.svg",
+        ),
     ] {
         let run = place.run(&words(&format!(
             "{axes} --quantity sir_width --plot {name}"
@@ -462,8 +467,25 @@ fn pictures_are_curves_maps_and_small_maps() {
     }
     assert_eq!(
         place.names(),
-        ["curves.svg", "map.png", "map.svg", "maps.svg"]
+        [
+            "curves.svg",
+            "decades.svg",
+            "map.pdf",
+            "map.png",
+            "map.svg",
+            "maps.svg"
+        ]
     );
+    assert!(
+        std::fs::read(place.path("map.pdf"))
+            .unwrap()
+            .starts_with(b"%PDF")
+    );
+    // On a logarithmic axis the ticks are at 1, 2 and 5 in each decade.
+    let decades = place.read("decades.svg");
+    for mass in ["1", "2", "5", "10", "20", "50", "100"] {
+        assert!(decades.contains(&format!(">{mass}</text>")), "{mass}");
+    }
     let svg = place.read("map.svg");
     assert!(
         svg.contains("ZUP"),

@@ -85,7 +85,8 @@ pub(crate) struct ScanArguments {
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
 
-    /// Draw the scan, .svg or .png: curves over one axis, a map over two, small maps over three
+    /// Draw the scan, .svg, .png or .pdf: curves over one axis, a map over two, small maps over three; axes of
+    /// `:log` ranges are logarithmic
     #[arg(long, value_name = "FILE")]
     pub(crate) plot: Option<PathBuf>,
 

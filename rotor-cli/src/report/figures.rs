@@ -10,9 +10,9 @@ use rotor_core::equations::Coefficients;
 use rotor_core::input::RotorParameters;
 use rotor_core::jeffcott::region::{self, NoRegion, RegionKind};
 use rotor_core::jeffcott::rotor::Rotor;
+use rotor_plot::{Axis, Curve, Dash, Figure, Mark, Panel, Plot, Ticks};
 
 use super::analysis::Analysis;
-use crate::figure::{Axis, Curve, Dash, Figure, Mark, Panel, Plot, Ticks};
 use crate::shown::shortened;
 use crate::table::shortest;
 

@@ -12,9 +12,11 @@ use rotor_core::jeffcott::rotor::Rotor;
 use rotor_core::quantity::Quantity;
 use rotor_core::study::{self, Plan, Scan};
 use rotor_core::unit::TIMES_REFERENCE_SPEED;
+use rotor_plot::{
+    Axis, Curve, Dash, Figure, Format, Map, Mark, Panel, Plot, PlotError, Ticks, levels,
+};
 
 use crate::failure::Failure;
-use crate::figure::{Axis, Curve, Dash, Figure, FigureError, Map, Mark, Panel, Plot, Ticks};
 use crate::output::Destination;
 use crate::table::shortest;
 
@@ -25,28 +27,31 @@ const MOST_MAPS: usize = 36;
 /// About so many contour lines.
 const LEVELS: f64 = 10.0;
 
-/// The formats of a picture.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Picture {
-    Svg,
-    Png,
+/// The format that a path's extension names.
+///
+/// # Errors
+///
+/// Where the extension names none.
+fn format_of(path: &Path) -> Result<Format, Failure> {
+    let extension = path.extension().and_then(|extension| extension.to_str());
+    let named = Format::ALL
+        .into_iter()
+        .find(|format| Some(format.extension()) == extension);
+    named.ok_or_else(|| {
+        let allowed = Format::ALL.map(|format| format!(".{}", format.extension()));
+        Failure::input(format!(
+            "--plot {}: the name must end with {}",
+            path.display(),
+            one_of(&allowed)
+        ))
+    })
 }
 
-impl Picture {
-    /// The format that a path's extension names.
-    ///
-    /// # Errors
-    ///
-    /// Where the extension is neither.
-    pub(super) fn of(path: &Path) -> Result<Self, Failure> {
-        match path.extension().and_then(|extension| extension.to_str()) {
-            Some("svg") => Ok(Self::Svg),
-            Some("png") => Ok(Self::Png),
-            _ => Err(Failure::input(format!(
-                "--plot {}: the name must end with .svg or .png",
-                path.display()
-            ))),
-        }
+/// Joins names with commas, the last with `or`.
+fn one_of(names: &[String]) -> String {
+    match names {
+        [first @ .., last] if !first.is_empty() => format!("{} or {last}", first.join(", ")),
+        _ => names.concat(),
     }
 }
 
@@ -72,14 +77,11 @@ impl Drawn {
 ///
 /// Where there is nothing that a picture could show, or the file cannot be written.
 pub(super) fn draw(plan: &Plan, path: &Path, rotor: &str) -> Result<Drawn, Failure> {
-    let picture = Picture::of(path)?;
+    let format = format_of(path)?;
     let destination = Destination::open(path)?;
     let figure = figure(plan, rotor)?;
-    let cannot = |error: FigureError| Failure::input(format!("--plot {}: {error}", path.display()));
-    let bytes = match picture {
-        Picture::Svg => figure.svg().map_err(cannot)?.into_bytes(),
-        Picture::Png => figure.png().map_err(cannot)?,
-    };
+    let cannot = |error: PlotError| Failure::input(format!("--plot {}: {error}", path.display()));
+    let bytes = figure.draw(format).map_err(cannot)?;
     let name = format!("`{}`", path.display());
     Ok(Drawn {
         bytes,
@@ -94,6 +96,8 @@ struct Shown {
     columns: Vec<Variable>,
     /// For each value those of all its columns.
     values: Vec<Vec<f64>>,
+    /// Whether equal steps are equal ratios.
+    logarithmic: bool,
 }
 
 impl Shown {
@@ -116,7 +120,11 @@ impl Shown {
         let mut values: Vec<Vec<f64>> = (0..count).map(pick).map(at).collect();
         values.sort_by(|a, b| a[0].total_cmp(&b[0]));
         values.dedup_by(|a, b| a[0] == b[0]);
-        Self { columns, values }
+        Self {
+            columns,
+            values,
+            logarithmic: is_logarithmic(axis),
+        }
     }
 
     fn axis(&self) -> Result<study::Axis, Failure> {
@@ -141,7 +149,8 @@ impl Shown {
         let value = if variable.unit() == "rad" {
             format!("{}°", shortest((value.to_degrees() * 1e6).round() / 1e6))
         } else {
-            shortest(value)
+            // Without the last digits, in which an evenly spaced value differs from the decimal number that is meant.
+            shortest(format!("{value:.11e}").parse().unwrap_or(value))
         };
         format!(
             "{} = {}",
@@ -159,8 +168,29 @@ impl Shown {
                 ticks: Ticks::Degrees,
             };
         }
-        axis(&markup(variable.symbol()), variable.unit())
+        let ticks = if self.logarithmic {
+            Ticks::Logarithmic
+        } else {
+            Ticks::Decimal
+        };
+        Axis {
+            ticks,
+            ..axis(&markup(variable.symbol()), variable.unit())
+        }
     }
+}
+
+/// Whether the values of an axis grow by equal ratios, as far as its ends, its middle and a third tell.
+fn is_logarithmic(axis: &study::Axis) -> bool {
+    let last = axis.len() - 1;
+    let (start, stop) = (axis.value(0, 0), axis.value(0, last));
+    // Within a hundredth, ratios and differences can hardly be told apart.
+    let far = start > 0.0 && stop > 0.0 && (stop / start).ln().abs() > 0.01;
+    let even = |index: u64| {
+        let value = start * (stop / start).powf(index as f64 / last as f64);
+        (axis.value(0, index) / value - 1.0).abs() < 1e-9
+    };
+    last >= 2 && far && [last / 2, last.div_ceil(3)].into_iter().all(even)
 }
 
 fn axis(symbol: &str, unit: &str) -> Axis {
@@ -235,7 +265,7 @@ fn figure(plan: &Plan, rotor: &str) -> Result<Figure, Failure> {
     Ok(Figure {
         name: "scan".to_owned(),
         caption: format!(
-            "{}. Rotor: {rotor}{}; crack model {}, edge {}. Gray, or a gap: there is none.",
+            "{}. Rotor: {rotor}{}; crack model {}, edge {}. Hatched, or a gap: there is none.",
             quantities.join("; "),
             fixed.concat(),
             plan.base().crack_model,
@@ -294,9 +324,17 @@ impl Drawing<'_> {
                 points: x.first().into_iter().zip(values.iter().copied()).collect(),
             };
             match panels.iter_mut().find(|(unit, _)| *unit == quantity.unit()) {
-                Some((_, panel)) => {
+                Some((unit, panel)) => {
                     let colour = panel.curves.len();
-                    panel.curves.push(Curve { colour, ..curve });
+                    let mark = Mark::Line(Dash::of(colour));
+                    let symbols = panel.curves.iter().map(|curve| curve.label.as_str());
+                    let symbols: Vec<_> = symbols.chain([curve.label.as_str()]).collect();
+                    panel.y.label = labelled(&symbols.join(", "), unit);
+                    panel.curves.push(Curve {
+                        colour,
+                        mark,
+                        ..curve
+                    });
                 }
                 None => panels.push((quantity.unit(), self.panel(x, quantity.unit(), curve))),
             }
@@ -325,7 +363,7 @@ impl Drawing<'_> {
             x: x.drawn_axis(),
             y: Axis {
                 range: empty.then_some((0.0, 1.0)),
-                ..axis("", unit)
+                ..axis(&curve.label, unit)
             },
             curves: vec![curve],
             annotations: Vec::new(),
@@ -441,7 +479,7 @@ fn map(
         y: y.drawn_axis(),
         x_values: x.first(),
         y_values: y.first(),
-        levels: levels(values),
+        levels: levels(values, LEVELS),
         values: values.to_vec(),
         value_label: labelled(&markup(quantity.symbol()), quantity.unit()),
         curves: Vec::new(),
@@ -468,26 +506,4 @@ fn map(
         }
     }
     map
-}
-
-/// Round values between the smallest and the largest.
-fn levels(values: &[Option<f64>]) -> Vec<f64> {
-    let existing = || values.iter().flatten().copied();
-    let (Some(least), Some(most)) = (existing().reduce(f64::min), existing().reduce(f64::max))
-    else {
-        return Vec::new();
-    };
-    let rough = (most - least) / LEVELS;
-    if !(rough.is_finite() && rough > 0.0) {
-        return Vec::new();
-    }
-    let power = 10f64.powf(rough.log10().floor());
-    let steps = [1.0, 2.0, 5.0, 10.0].map(|digit| digit * power);
-    let step = steps
-        .into_iter()
-        .find(|&step| step >= rough)
-        .unwrap_or(rough);
-    let first = (least / step).floor() as i64 + 1;
-    let levels = (first..).map(|index| index as f64 * step);
-    levels.take_while(|&level| level < most).collect()
 }

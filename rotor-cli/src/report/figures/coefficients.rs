@@ -2,9 +2,9 @@
 
 use rotor_core::equations::Coefficients;
 use rotor_core::jeffcott::rotor::Rotor;
+use rotor_plot::{Axis, Curve, Dash, Figure, Plot};
 
 use super::{axis, changed, deepest, depth_axis, line, panel, spaced};
-use crate::figure::{Axis, Curve, Dash, Figure, Plot};
 
 /// Points of a curve.
 const POINTS: usize = 121;
@@ -72,7 +72,7 @@ pub(super) fn figure(rotor: &Rotor) -> Figure {
         coefficients
             .iter()
             .enumerate()
-            .map(|(index, (label, get))| line(*label, index, Dash::Solid, points(*get)))
+            .map(|(index, (label, get))| line(*label, index, Dash::of(index), points(*get)))
             .collect()
     };
     let clipped = |title: &str, label: &str, mut curves: Vec<Curve>| {

@@ -5,11 +5,11 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use rotor_core::jeffcott::region::RegionKind;
 use rotor_core::jeffcott::rotor::Rotor;
 use rotor_core::jeffcott::zup::zup_depth;
+use rotor_plot::{Annotation, Figure, Map, Plot, levels};
 
 use super::{
     OWN_SPEED, absence, angle_axis, changed, deepest, depth_axis, spaced, width_at, width_symbol,
 };
-use crate::figure::{Annotation, Figure, Map, Plot};
 
 /// Values of each axis.
 const POINTS: usize = 97;
@@ -62,7 +62,7 @@ pub(super) fn figure(rotor: &Rotor, kind: RegionKind) -> Figure {
             y: depth_axis(rotor),
             x_values: angles,
             y_values: depths,
-            levels: levels(&values),
+            levels: levels(&values, LEVELS),
             values,
             value_label: format!("{symbol} / ω_{{st}} [–]"),
             curves: Vec::new(),
@@ -70,29 +70,4 @@ pub(super) fn figure(rotor: &Rotor, kind: RegionKind) -> Figure {
             note: absence(kind, rotor),
         })),
     }
-}
-
-/// Round values between the smallest and the largest width.
-fn levels(values: &[Option<f64>]) -> Vec<f64> {
-    let least = values
-        .iter()
-        .flatten()
-        .copied()
-        .fold(f64::INFINITY, f64::min);
-    let most = values.iter().flatten().copied().fold(0.0, f64::max);
-    let rough = (most - least) / LEVELS;
-    if !(rough.is_finite() && rough > 0.0) {
-        return Vec::new();
-    }
-    let power = 10f64.powf(rough.log10().floor());
-    let step = [1.0, 2.0, 5.0, 10.0]
-        .into_iter()
-        .map(|digit| digit * power)
-        .find(|&step| step >= rough)
-        .unwrap_or(rough);
-    let first = (least / step).floor() as i64 + 1;
-    (first..)
-        .map(|index| index as f64 * step)
-        .take_while(|&level| level < most)
-        .collect()
 }

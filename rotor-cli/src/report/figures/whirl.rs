@@ -4,9 +4,9 @@ use rotor_core::equations::{self, Coefficients};
 use rotor_core::jeffcott::exact::whirl_frequencies;
 use rotor_core::jeffcott::region::{self, RegionKind};
 use rotor_core::jeffcott::rotor::Rotor;
+use rotor_plot::{Annotation, Axis, Curve, Dash, Figure, Plot};
 
 use super::{axis, changed, line, panel, spaced};
-use crate::figure::{Annotation, Axis, Curve, Dash, Figure, Plot};
 
 /// Points of a curve.
 const POINTS: usize = 201;
@@ -54,14 +54,21 @@ fn whirls(c: &Coefficients, fastest: f64) -> Vec<Curve> {
         .map(|&speed| whirl_frequencies(c, speed).ok())
         .collect();
     let mut curves = Vec::new();
-    for (index, label) in ["ω_1", "ω_2", "ω_3", "ω_4"].into_iter().enumerate() {
+    // The lines that cross them are dashed and dotted.
+    let looks = [
+        ("ω_1", Dash::Solid),
+        ("ω_2", Dash::LongDashed),
+        ("ω_3", Dash::DashDotted),
+        ("ω_4", Dash::DashDotDotted),
+    ];
+    for (index, (label, dash)) in looks.into_iter().enumerate() {
         let at = |whirl: &Option<[f64; 4]>| whirl.and_then(|whirl| whirl.get(index).copied());
         let points = speeds
             .iter()
             .zip(&whirls)
             .map(|(&speed, whirl)| (speed, at(whirl)))
             .collect();
-        curves.push(line(label, index, Dash::Solid, points));
+        curves.push(line(label, index, dash, points));
     }
     let synchronous = speeds.iter().map(|&speed| (speed, Some(speed))).collect();
     curves.push(line("ω = *Ω*", 4, Dash::Dashed, synchronous));

@@ -6,12 +6,12 @@ use rayon::prelude::*;
 use rotor_core::equations::Coefficients;
 use rotor_core::jeffcott::region::{self, RegionKind};
 use rotor_core::jeffcott::rotor::Rotor;
+use rotor_plot::{Axis, Curve, Dash, Figure, Mark, Panel, Plot, Symbol};
 
 use super::{
     DEPTHS, OWN_SPEED, POSITIONS, absence, angle_axis, axis, changed, line, panel, spaced,
     width_at, width_symbol, with_own,
 };
-use crate::figure::{Axis, Curve, Dash, Figure, Mark, Panel, Plot, Symbol};
 use crate::report::hill;
 
 /// Points of a curve, so that every point by Floquet theory is one of them.
@@ -187,7 +187,7 @@ fn variant_curves(kind: RegionKind, variants: &[Variant]) -> Vec<Curve> {
         line(
             label,
             index,
-            Dash::Solid,
+            Dash::of(index),
             angles.iter().map(|&angle| (angle, width(angle))).collect(),
         )
     };

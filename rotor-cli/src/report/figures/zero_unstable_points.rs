@@ -3,11 +3,11 @@
 use rotor_core::jeffcott::region::{self, RegionKind};
 use rotor_core::jeffcott::rotor::Rotor;
 use rotor_core::jeffcott::zup::{ZeroUnstablePoint, zup_depth};
+use rotor_plot::{Annotation, Dash, Figure, Plot};
 
 use super::{
     POSITIONS, absence, axis, changed, deepest, depth_axis, line, panel, spaced, with_own,
 };
-use crate::figure::{Annotation, Dash, Figure, Plot};
 
 /// Points of a curve.
 const POINTS: usize = 161;
@@ -37,7 +37,7 @@ pub(super) fn figure(rotor: &Rotor, kind: RegionKind) -> Figure {
             .map(|depth| (depth, closing(depth)))
             .collect();
         let label = format!("l_c = {position} *L*");
-        curves.push(line(label, index, Dash::Solid, along));
+        curves.push(line(label, index, Dash::of(index), along));
         annotations.extend(shown(rotor, kind, position).iter().filter_map(|point| {
             let at = (point.value, closing(point.value)?);
             let mut label = format!("σ = {:.4}", point.value);

@@ -1,6 +1,10 @@
+mod document;
+mod scales;
+
 use std::f64::consts::PI;
 
 use super::*;
+use crate::geometry::{Rect, distance, visible_parts};
 
 /// A width that falls to a zero unstable point and rises again.
 fn width(ratio: f64, zup: f64) -> f64 {
@@ -194,14 +198,25 @@ fn panel_of(figure: &mut Figure) -> &mut Panel {
     }
 }
 
-/// The path data of a figure's strokes of 1.8 pixels (58 canvas units), its curves.
+/// The path data of a figure's strokes of 1.8 pixels, its curves.
 fn curve_data(svg: &str, colour: &str) -> Vec<String> {
     parsed(svg)
         .descendants()
         .filter(|node| node.attribute("stroke") == Some(colour))
-        .filter(|node| node.attribute("stroke-width") == Some("1.81"))
+        .filter(|node| node.attribute("stroke-width") == Some("1.8"))
         .filter_map(|node| node.attribute("d").map(str::to_owned))
         .collect()
+}
+
+/// The path data of the first frame, the first outline that is closed by `z`.
+fn frame_data(svg: &str) -> String {
+    parsed(svg)
+        .descendants()
+        .filter(|node| node.attribute("fill") == Some("none"))
+        .filter_map(|node| node.attribute("d"))
+        .find(|d| d.ends_with('z'))
+        .expect("the frame")
+        .to_owned()
 }
 
 #[test]
@@ -272,13 +287,13 @@ fn subscripts_are_lowered_and_raised_again() {
 
 #[test]
 fn markup_knows_symbols_from_words() {
-    let plain = |label| text::plain(label);
+    let plain = label::plain;
     assert_eq!(plain("ε_{12} and *l*_c/*L*"), "ε_12 and l_c/L");
     // A word with underscores, a lonely star, an unclosed brace: as they are.
     assert_eq!(plain("crack_depth_ratio * 2"), "crack_depth_ratio * 2");
     assert_eq!(plain("λ_{st"), "λ_{st");
-    let fonts = text::Fonts::embedded().unwrap();
-    let width = |label| fonts.width(&text::parse(label, text::Shape::Upright), 100.0);
+    let fonts = label::Fonts::embedded().unwrap();
+    let width = |label| fonts.width(label, 100.0);
     // A subscript is narrower than the same letters on the line, and the underscore takes no room.
     assert!(width("λ_s") < width("λs") && width("λ_s") > width("λ"));
     // Advance widths of DejaVu Sans: 0 has 1303 of 2048 units to the em.
@@ -343,7 +358,8 @@ fn a_curve_breaks_at_a_gap_and_is_cut_at_the_frame() {
     // One start is the sample in the legend.
     assert_eq!((starts(&whole), starts(&broken)), (2, 3));
 
-    let parts = curve::visible_parts(
+    let window = Rect::new(0.0, 0.0, 5.0, 2.0);
+    let parts = visible_parts(
         &[
             (0.0, Some(-1.0)),
             (2.0, Some(1.0)),
@@ -351,8 +367,7 @@ fn a_curve_breaks_at_a_gap_and_is_cut_at_the_frame() {
             (4.0, None),
             (4.5, Some(0.5)),
         ],
-        (0.0, 5.0),
-        (0.0, 2.0),
+        &window,
     );
     assert_eq!(
         parts,
@@ -374,16 +389,7 @@ fn points_of_a_curve_lie_where_the_axes_say() {
         .split(['M', 'L', ' '])
         .filter_map(|number| number.parse().ok())
         .collect();
-    // The frame is the only outline that is closed by `z`.
-    let document = parsed(&svg);
-    let frame = document
-        .descendants()
-        .find_map(|node| {
-            node.attribute("d")
-                .filter(|_| node.attribute("fill") == Some("none"))
-                .filter(|d| d.ends_with('z'))
-        })
-        .expect("the frame");
+    let frame = frame_data(&svg);
     let edge: Vec<f64> = frame
         .split(['M', ' ', 'H', 'V', 'z'])
         .filter_map(|number| number.parse().ok())
@@ -395,8 +401,8 @@ fn points_of_a_curve_lie_where_the_axes_say() {
         panic!("{edge:?}")
     };
     let (width, height) = (right - left, bottom - top);
-    // To a canvas unit, 1/32 of a pixel, and its rounding to hundredths.
-    let near = |a: f64, b: f64| assert!((a - b).abs() < 0.06, "{a} is not {b}");
+    // Coordinates are rounded to hundredths.
+    let near = |a: f64, b: f64| assert!((a - b).abs() < 0.011, "{a} is not {b}");
     near(x0, left);
     near(x1, left + 0.5 * width);
     near(x2, left + width);
@@ -568,7 +574,7 @@ fn the_table_of_a_map_has_a_line_for_each_point() {
 
 #[test]
 fn ticks_are_round_and_written_with_equal_decimals() {
-    use ticks::{Ends, Scale};
+    use scale::{Ends, Scale};
     let written = |low, high, kind, ends| {
         let scale = Scale::new(low, high, kind, ends, 6.0);
         scale
@@ -628,17 +634,17 @@ fn contours_lie_on_the_level_and_stop_where_nothing_is() {
         .iter()
         .flat_map(|&y| xs.iter().map(move |&x| (y < 1.0).then(|| plane(x, y))))
         .collect();
-    let segments = map::contour(map, 0.2, ((0.0, 0.4), (0.0, 2.0)));
-    assert!(segments.len() > 40);
-    for (x, y) in segments.iter().flat_map(|&(from, to)| [from, to]) {
+    let window = Rect::new(0.0, 0.0, 0.4, 2.0);
+    let lines = contour::lines(map, 0.2, &window);
+    assert_eq!(lines.len(), 1, "its pieces are joined");
+    let line = &lines[0];
+    assert!(line.len() > 40);
+    for &(x, y) in line {
         approx(plane(x, y), 0.2);
         assert!(y <= 1.0);
     }
     // As long as the part of the line below the last whole row of the grid.
     let last = ys.iter().copied().filter(|&y| y < 1.0).fold(0.0, f64::max);
-    let length: f64 = segments
-        .iter()
-        .map(|&(a, b)| (a.0 - b.0).hypot(a.1 - b.1))
-        .sum();
+    let length: f64 = line.windows(2).map(|ends| distance(ends[0], ends[1])).sum();
     approx(length, last * 1.0_f64.hypot(0.1));
 }

@@ -2,13 +2,13 @@
 
 use std::io;
 
-use super::text::plain;
-use super::{Annotation, Axis, Curve, Figure, FigureError, Map, Plot};
+use crate::figure::{Annotation, Axis, Curve, Map, Plot};
+use crate::label::plain;
 
 /// Writes everything that a figure shows.
-pub(super) fn write(figure: &Figure) -> Result<String, FigureError> {
+pub(crate) fn write(plot: &Plot) -> Result<String, csv::Error> {
     let mut table = csv::Writer::from_writer(Vec::new());
-    match &figure.plot {
+    match plot {
         Plot::Panels(panels) => {
             // Each quantity has its own column; the other panels leave it empty.
             let quantities = headings(panels.iter().flat_map(|panel| [&panel.x, &panel.y]));
@@ -47,7 +47,7 @@ pub(super) fn write(figure: &Figure) -> Result<String, FigureError> {
     let bytes = table
         .into_inner()
         .map_err(|error| csv::Error::from(error.into_error()))?;
-    Ok(String::from_utf8(bytes).map_err(|error| csv::Error::from(io::Error::other(error)))?)
+    String::from_utf8(bytes).map_err(|error| csv::Error::from(io::Error::other(error)))
 }
 
 /// Hands every row of a map to `line`: the map's own points, then those of its curves.
