@@ -1,15 +1,19 @@
 //! Cost of building: how long the generator takes for a formula of so many graph nodes.
 //!
-//! `cargo bench -p rotor-benches --bench expansion`
+//! `cargo bench -p rotor-benches --bench expansion`; with the name of a shape, such as `-- sines`, for that alone.
 #![allow(
     missing_docs,
-    reason = "criterion's macros define functions without documentation"
+    clippy::print_stdout,
+    reason = "criterion's macros define functions without documentation; a bench prints what it measures"
 )]
 
 use std::fmt::Write as _;
 use std::hint::black_box;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
+use codegen::emit::scalar::Form;
+use codegen::expand::derive;
+use codegen::graph::SymbolId;
 use codegen::show;
 use criterion::{BatchSize, BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use proc_macro2::TokenStream;
@@ -77,19 +81,27 @@ fn synthetic(criterion: &mut Criterion) {
     group.finish();
 }
 
-/// Steps of the formulas of one shape.
-const STEPS: [usize; 2] = [1_000, 4_000];
+/// A formula that is one long sum, product or chain: what it starts with, a step, and how many steps it has. `{c}` and `{d}`
+/// are other numbers in each step, `t` what is there already.
+type Shape = (&'static str, &'static str, &'static str, &'static [usize]);
 
-/// Shapes: what the formula starts with, and a step. `{c}` is another number in each step, `t` what is there already.
-const SHAPES: [(&str, &str, &str); 8] = [
-    ("sum of sines", "y", "t + ({c} * x + y).sin()"),
-    ("sum of inverses", "y", "t + 1.0 / (x + {c})"),
-    ("sum of squares", "y", "t + (x + {c}).powi(2)"),
-    ("sum of choices", "y", "t + x.min({c})"),
-    ("product of sums", "y", "t * (x + {c})"),
-    ("nested roots", "y", "(t + x).sqrt()"),
-    ("nested choices", "y", "t.min({c} * x)"),
-    ("continued fraction", "y", "{c} + x / t"),
+/// Lengths of sums, of products, and of chains, in which every step is needed by the next.
+const SUMS: &[usize] = &[1_000, 4_000, 20_000];
+const PRODUCTS: &[usize] = &[1_000, 3_000];
+const CHAINS: &[usize] = &[100, 300, 1_000];
+
+const SHAPES: [Shape; 11] = [
+    ("sum of sines", "y", "t + ({c} * x + {d} * y).sin()", SUMS),
+    ("sum of inverses", "y", "t + 1.0 / (x + {c})", SUMS),
+    ("sum of squares", "y", "t + (x + {c}).powi(2)", SUMS),
+    ("sum of choices", "y", "t + x.min({c})", SUMS),
+    ("product of sums", "y", "t * (x + {c})", PRODUCTS),
+    ("quotients", "x * y", "t / (x + {c})", CHAINS),
+    ("continued fraction", "y", "{c} + x / t", CHAINS),
+    ("ladder", "y", "{c} + x * t / (x + t)", CHAINS),
+    ("quotients of sums", "y", "(t + {c}) / (x + t)", CHAINS),
+    ("nested roots", "y", "(t + x).sqrt()", CHAINS),
+    ("nested choices", "y", "t.min({c} * x)", CHAINS),
 ];
 
 /// A module with the gradient of one such formula.
@@ -98,30 +110,65 @@ fn steps(first: &str, step: &str, count: usize) -> TokenStream {
         "mod synthetic {{ #[generate(gradient(x, y))] pub fn formula(x: f64, y: f64) -> f64 {{ let t = {first};"
     );
     for place in 0..count {
-        let number = format!("{}.{}", place + 2, place * 37 % 97 + 1);
-        let _ = write!(source, "let t = {};", step.replace("{c}", &number));
+        let c = format!("{}.{}", place + 2, place * 37 % 97 + 1);
+        let d = format!("{}.{}", place % 13, place * 53 % 89 + 1);
+        let step = step.replace("{c}", &c).replace("{d}", &d);
+        let _ = write!(source, "let t = {step};");
     }
     source += "t } }";
     source.parse().unwrap_or_default()
 }
 
-/// Formulas that are one long sum, product or chain, where a search that compares all with all shows.
-fn shapes(criterion: &mut Criterion) {
-    let mut group = criterion.benchmark_group("expansion of a shape");
-    for (name, first, step) in SHAPES {
-        for count in STEPS {
-            let item = steps(first, step, count);
-            group.throughput(Throughput::Elements(count as u64));
-            group.bench_function(BenchmarkId::new(name, count), |bencher| {
-                bencher.iter_batched(
-                    || item.clone(),
-                    |item| black_box(codegen::expand(TokenStream::new(), item)),
-                    BatchSize::PerIteration,
-                );
-            });
+/// How many nodes the graph of a formula and its gradient has.
+fn nodes(item: &TokenStream) -> Option<usize> {
+    let mut expansion = show::module(&format!("#[symbolic] {item}")).ok()?;
+    expansion.read_all();
+    let formula = expansion.formula("formula")?;
+    let by = ["x", "y"].map(|name| formula.graph.find_symbol(name));
+    let by: Vec<SymbolId> = by.into_iter().flatten().collect();
+    let (graph, outputs) = derive(formula, Form::Gradient, &by);
+    Some(graph.reachable(&outputs.all()).len())
+}
+
+/// Processor time of this process in milliseconds, where the system tells it: Linux counts it in hundredths of a second.
+fn processor_time() -> Option<f64> {
+    let text = std::fs::read_to_string("/proc/self/stat").ok()?;
+    let after_name = text.rsplit(')').next()?;
+    let fields: Vec<&str> = after_name.split_whitespace().collect();
+    let ticks = |place: usize| fields.get(place)?.parse::<f64>().ok();
+    Some((ticks(11)? + ticks(12)?) * 10.0)
+}
+
+/// Formulas that are one long sum, product or chain, where a search that compares all with all shows: the time that each
+/// takes per 1000 nodes. One run of each, as the longest take seconds; the name of a shape as argument runs that alone.
+fn shapes(_: &mut Criterion) {
+    let wanted = std::env::args().skip(1).find(|arg| !arg.starts_with('-'));
+    println!("milliseconds per 1000 nodes of a formula and its gradient");
+    println!(
+        "{:20} {:>6} {:>7} {:>8} {:>8}",
+        "shape", "steps", "nodes", "CPU", "wall"
+    );
+    for (name, first, step, counts) in SHAPES {
+        if wanted.as_ref().is_some_and(|wanted| !name.contains(wanted)) {
+            continue;
+        }
+        for count in counts {
+            let item = steps(first, step, *count);
+            let thousands = nodes(&item).unwrap_or(0) as f64 / 1e3;
+            let (before, start) = (processor_time(), Instant::now());
+            black_box(codegen::expand(TokenStream::new(), item));
+            let wall = start.elapsed().as_secs_f64() * 1e3;
+            let spent = processor_time()
+                .zip(before)
+                .map(|(after, before)| after - before);
+            println!(
+                "{name:20} {count:>6} {:>7} {:>8.1} {:>8.1}",
+                thousands * 1e3,
+                spent.unwrap_or(f64::NAN) / thousands,
+                wall / thousands
+            );
         }
     }
-    group.finish();
 }
 
 /// All forms of the model, which is what its build waits for.

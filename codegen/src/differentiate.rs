@@ -14,6 +14,8 @@ mod reverse;
 
 use std::collections::BTreeMap;
 
+use corners::Signs;
+
 use crate::budget::Budget;
 use crate::graph::{ExprId, Factors, Function, Graph, Node, Rational, SymbolId, ratio, whole};
 use crate::rewrite::common::over_common_divisor;
@@ -118,6 +120,7 @@ pub fn gradient_forward(graph: &mut Graph, function: ExprId, by: &[SymbolId]) ->
     // For each node its derivatives by all symbols.
     let mut tangents: BTreeMap<ExprId, Vec<ExprId>> = BTreeMap::new();
     let nothing = vec![zero; by.len()];
+    let mut signs = Signs::default();
     for id in order.into_iter().filter(|id| depends[id.index()]) {
         let of = |operand: ExprId| tangents.get(&operand).unwrap_or(&nothing).clone();
         let tangent = match graph.node(id).clone() {
@@ -127,14 +130,21 @@ pub fn gradient_forward(graph: &mut Graph, function: ExprId, by: &[SymbolId]) ->
             }
             Node::Apply(function, operands) if corners::is_choice(function) => {
                 let [first, second] = corners::alternatives(&operands).map(of);
-                let taken = corners::taken(graph, (id, function), &operands, &first, &second);
+                let taken = corners::taken(
+                    graph,
+                    &mut signs,
+                    (id, function),
+                    &operands,
+                    &first,
+                    &second,
+                );
                 let both = first.into_iter().zip(second);
                 both.map(|(first, second)| taken.of(graph, [first, second]))
                     .collect()
             }
             Node::Apply(Function::Abs, operands) => {
                 let inner = of(operands[0]);
-                let side = corners::side(graph, operands[0], &inner);
+                let side = corners::side(graph, &mut signs, operands[0], &inner);
                 inner
                     .into_iter()
                     .map(|inner| graph.multiply(inner, side))

@@ -208,13 +208,19 @@ fn best_of(
     reference: &Reference,
     tables: &Graph,
 ) -> Result<Circuit, Option<Fault>> {
-    circuits.sort_by_key(|circuit| circuit.cost().weight());
+    circuits.sort_by_cached_key(|circuit| circuit.cost().weight());
     let mut first = None;
+    let mut refused: Vec<Circuit> = Vec::new();
     for circuit in circuits {
+        // Several orders often come to the same.
+        if refused.iter().any(|known| known.is_same(&circuit)) {
+            continue;
+        }
         match reference.fault(tables, &circuit) {
             None => return Ok(circuit),
             Some(fault) => first = first.or(Some(fault)),
         }
+        refused.push(circuit);
     }
     Err(first)
 }
@@ -243,11 +249,17 @@ const LARGE: usize = 240;
 const FIRST_OF_LARGE: [usize; 1] = [4];
 const REST_OF_LARGE: [usize; 3] = [1, 7, 8];
 
+/// The size beyond which one form and that one order have to do: the others would take three times as long as all the rest.
+const HUGE: usize = 2_000;
+
 impl Search {
     fn new(forms: Vec<Circuit>) -> Self {
-        let is_large = forms.iter().any(|form| form.nets().count() > LARGE);
+        let size = forms.iter().map(|form| form.nets().count()).max();
+        let size = size.unwrap_or(0);
         let all = 0..ORDERS.len();
-        let (first, rest): (&[usize], Vec<usize>) = if is_large {
+        let (first, rest): (&[usize], Vec<usize>) = if size > HUGE {
+            (&FIRST_OF_LARGE, Vec::new())
+        } else if size > LARGE {
             (&FIRST_OF_LARGE, REST_OF_LARGE.to_vec())
         } else {
             let rest = all.filter(|place| !FIRST_ORDERS.contains(place));
@@ -348,19 +360,16 @@ const LONGEST_CONSTANT: u64 = 2200;
 
 /// The outputs in every form that may turn out to be cheapest, each once.
 fn lowered_forms(graph: Graph, roots: Vec<ExprId>, outputs: &Outputs) -> Vec<Circuit> {
+    let is_huge = graph.reachable(&roots).len() > HUGE;
     let mut forms = vec![(graph, roots)];
-    rewrite::go_on(&mut forms, rewrite::roots::without_quotients);
-    rewrite::go_on(&mut forms, rewrite::common::take_out);
-    rewrite::go_on(&mut forms, rewrite::roots::join);
-    let exponentials = forms
-        .last()
-        .map(|(graph, roots)| rewrite::exponentials::forms(graph, roots));
-    rewrite::go_on(&mut forms, rewrite::roots::without_quotients);
-    let exponentials = exponentials.into_iter().flatten();
-    forms.extend(exponentials.map(|(graph, roots)| rewrite::rewrite(&graph, &roots)));
+    if !is_huge {
+        add_rewritten(&mut forms);
+    }
     let lowered = on_all_cores(&forms, |(graph, roots)| {
         let mut graph = graph.clone();
-        let rebuilt = homogeneous::rebuild_values(&mut graph, &outputs.with_all(roots));
+        let rebuilt = (!is_huge)
+            .then(|| homogeneous::rebuild_values(&mut graph, &outputs.with_all(roots)))
+            .flatten();
         let rebuilt = rebuilt.map(|mut rebuilt| {
             rebuilt.extend(roots.iter().skip(rebuilt.len()));
             rebuilt
@@ -378,4 +387,17 @@ fn lowered_forms(graph: Graph, roots: Vec<ExprId>, outputs: &Outputs) -> Vec<Cir
         }
     }
     forms
+}
+
+/// Adds what the ways of rewriting make of a form that are no rules.
+fn add_rewritten(forms: &mut Vec<rewrite::Form>) {
+    rewrite::go_on(forms, rewrite::roots::without_quotients);
+    rewrite::go_on(forms, rewrite::common::take_out);
+    rewrite::go_on(forms, rewrite::roots::join);
+    let exponentials = forms
+        .last()
+        .map(|(graph, roots)| rewrite::exponentials::forms(graph, roots));
+    rewrite::go_on(forms, rewrite::roots::without_quotients);
+    let exponentials = exponentials.into_iter().flatten();
+    forms.extend(exponentials.map(|(graph, roots)| rewrite::rewrite(&graph, &roots)));
 }

@@ -199,6 +199,9 @@ impl Table {
     }
 }
 
+/// By an expression's position what it is in another graph, if it was rebuilt there.
+pub type Images = Vec<Option<ExprId>>;
+
 /// A hash-consed graph of expressions.
 #[derive(Clone, Debug)]
 pub struct Graph {
@@ -513,6 +516,25 @@ impl Graph {
             .iter()
             .map(|root| images[root.index()].unwrap_or(one))
             .collect()
+    }
+
+    /// Rebuilds one more expression in the target, of which `images` has what was rebuilt before.
+    pub fn rebuild_more(&self, target: &mut Graph, root: ExprId, images: &mut Images) -> ExprId {
+        images.resize(self.nodes.len(), None);
+        let (mut order, mut stack) = (Vec::new(), vec![root]);
+        let mut seen = FxHashSet::default();
+        while let Some(id) = stack.pop() {
+            if images[id.index()].is_none() && seen.insert(id) {
+                order.push(id);
+                self.each_operand(id, |operand| stack.push(operand));
+            }
+        }
+        // Operands come before their users.
+        order.sort_unstable();
+        for id in order {
+            images[id.index()] = Some(self.rebuild_node(target, id, images));
+        }
+        images[root.index()].unwrap_or(target.one())
     }
 
     fn rebuild_node(&self, target: &mut Graph, id: ExprId, images: &[Option<ExprId>]) -> ExprId {

@@ -1,12 +1,15 @@
 //! Evaluates a graph, node by node: what generated code is tested against, and what the numerics of the build use.
 
 pub mod double_double;
+pub mod prepared;
 
 use std::collections::BTreeSet;
 
+pub use prepared::Prepared;
+
 use crate::approximate::piecewise::PiecewisePolynomial;
 use crate::approximate::quadrature::integrate;
-use crate::factor::circuit::{Circuit, Net, Operation};
+use crate::factor::circuit::Circuit;
 use crate::graph::{ExprId, Function, Graph, NamedConstant, Node, Rational, SymbolId, Table};
 
 /// A kind of number that a graph can be evaluated in: `f64`, or more digits in tests.
@@ -167,19 +170,9 @@ pub(crate) fn node_value<T: Number>(
 /// The values of the roots, for values of the symbols in the order in which the graph has them. None where an
 /// integral is among them or a symbol has no value.
 pub fn evaluate<T: Number>(graph: &Graph, roots: &[ExprId], symbols: &[T]) -> Option<Vec<T>> {
-    evaluate_in_order(graph, &graph.reachable(roots), roots, symbols)
-}
-
-/// The same where the expressions that the roots need are known, operands before their users.
-pub fn evaluate_in_order<T: Number>(
-    graph: &Graph,
-    order: &[ExprId],
-    roots: &[ExprId],
-    symbols: &[T],
-) -> Option<Vec<T>> {
     let mut values: Vec<Option<T>> = vec![None; graph.len()];
     let zero = T::rational(&Rational::ZERO);
-    for &id in order {
+    for id in graph.reachable(roots) {
         let value = node_value(graph, id, symbols, &|operand: ExprId| {
             values[operand.index()]
                 .clone()
@@ -428,46 +421,5 @@ fn bound_variables(graph: &Graph, root: ExprId) -> BTreeSet<SymbolId> {
 /// The outputs of a circuit, computed in the order in which its code computes them; `symbols` has a number for each symbol
 /// of its graph.
 pub fn evaluate_circuit<N: Number>(graph: &Graph, circuit: &Circuit, symbols: &[N]) -> Vec<N> {
-    let nothing = || N::rational(&Rational::ZERO).divide(&N::rational(&Rational::ZERO));
-    let nets = circuit.nets();
-    let mut values: Vec<N> = Vec::with_capacity(nets.size_hint().0);
-    for net in nets {
-        let value = |net: &Net| values[net.index()].clone();
-        let value = match circuit.operation(net) {
-            Operation::Number(number) => N::rational(number),
-            Operation::Symbol(symbol) => {
-                symbols.get(symbol.index()).cloned().unwrap_or_else(nothing)
-            }
-            Operation::Sum(terms) => terms
-                .iter()
-                .map(|(operand, coefficient)| multiple(coefficient, value(operand)))
-                .reduce(|sum, term| sum.add(&term))
-                .unwrap_or_else(|| N::rational(&Rational::ZERO)),
-            Operation::Product(factors) => factors
-                .iter()
-                .flat_map(|(operand, power)| raised(value(operand), *power))
-                .reduce(|product, factor| product.multiply(&factor))
-                .unwrap_or_else(nothing),
-            Operation::Quotient(numerator, denominator) => {
-                value(numerator).divide(&value(denominator))
-            }
-            Operation::Apply(function, operands) => {
-                let operands: Vec<N> = operands.iter().map(value).collect();
-                N::apply(*function, &operands)
-            }
-            Operation::Tabulated {
-                table,
-                order,
-                argument,
-            } => match graph.tables.get(*table) {
-                Some(table) => N::tabulated(table, *order, &value(argument)),
-                None => nothing(),
-            },
-        };
-        values.push(value);
-    }
-    let outputs = circuit.outputs.iter();
-    outputs
-        .map(|output| values[output.index()].clone())
-        .collect()
+    Prepared::of_circuit(graph, circuit).at(symbols)
 }

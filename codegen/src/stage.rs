@@ -93,9 +93,15 @@ pub fn minimise(
     }
     let reference = Reference::beside(written, graph, &all);
     let mut circuits: Vec<Circuit> = Vec::new();
+    let mut known: Vec<Circuit> = Vec::new();
     let forms = forms(graph, &all, inner).into_iter();
     for (graph, roots) in forms.filter(|(graph, _)| !graph.is_exceeded()) {
         let lowered = lower::lower(&graph, &roots);
+        // Many of the forms come to the same.
+        if known.iter().any(|known| known.is_same(&lowered)) {
+            continue;
+        }
+        known.push(lowered.clone());
         for order in ORDERS.into_iter().chain([&[][..]]) {
             let mut circuit = lowered.clone();
             extract::extract(&mut circuit, order);
@@ -110,7 +116,7 @@ pub fn minimise(
             }
         }
     }
-    circuits.sort_by_key(|circuit| {
+    circuits.sort_by_cached_key(|circuit| {
         let points = cost_of(circuit, inner, Stage::Point).weight();
         (points, circuit.cost().weight())
     });

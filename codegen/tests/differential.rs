@@ -40,7 +40,7 @@ use support::hostile::{Random, program};
 use support::points::{Inputs, Place, points};
 use support::program::{Kind, Node, Output, Program};
 use support::shrink::{cut_down, shrunk};
-use support::subject::{Code, Missing, Subject, Wanted};
+use support::subject::{Code, Missing, Stages, Subject, Wanted};
 
 /// Programs of the test as it runs every day.
 const PROGRAMS: usize = 2000;
@@ -48,7 +48,8 @@ const PROGRAMS: usize = 2000;
 const EMITTED: usize = 10;
 /// One program in as many has every number compared with 77 digits.
 const WITH_TRUTH: usize = 16;
-/// One program in as many is also looked at in stages, but in a long run all are: they take half of the time.
+/// One program in as many is also looked at in stages along each of its inputs, but in a long run all are along two of them:
+/// all would take half of the time.
 const STAGED: usize = 5;
 /// How long a program may take.
 const PATIENCE: Duration = Duration::from_secs(10);
@@ -148,7 +149,13 @@ fn checked(case: &Case, in_full: bool) -> Result<Report, String> {
     } = case;
     let wanted = Wanted::Several {
         hessian: true,
-        stages: in_full || number.is_multiple_of(STAGED),
+        stages: if in_full {
+            Stages::InTurn(*number)
+        } else if number.is_multiple_of(STAGED) {
+            Stages::All
+        } else {
+            Stages::None
+        },
         emitted: number.is_multiple_of(EMITTED),
     };
     match Subject::of(&program.source(), &wanted) {
@@ -187,7 +194,7 @@ impl Worker {
     }
 }
 
-/// Checks as many programs; `in_full` leaves no form out.
+/// Checks as many programs; `in_full` looks at all of them in stages.
 fn run(seed: u64, programs: Range<usize>, threads: usize, in_full: bool) -> Run {
     let (next, left_behind) = (AtomicUsize::new(programs.start), AtomicUsize::new(0));
     let result = Mutex::new(Run::default());
@@ -295,7 +302,7 @@ fn subject(body: &str) -> Subject {
     );
     let wanted = Wanted::Several {
         hessian: true,
-        stages: true,
+        stages: Stages::All,
         emitted: true,
     };
     Subject::of(&source, &wanted).unwrap_or_else(|missing| panic!("{missing:?}"))

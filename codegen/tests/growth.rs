@@ -9,9 +9,11 @@
 use codegen::budget::Budget;
 use codegen::differentiate;
 use codegen::emit::scalar::Form;
-use codegen::expand::derive;
+use codegen::expand::{Formula, derive, derive_written};
 use codegen::factor::extract::{ORDERS, extract_within};
-use codegen::factor::lower;
+use codegen::factor::rounding::Written;
+use codegen::factor::{lower, probes};
+use codegen::graph::SymbolId;
 use codegen::show;
 
 /// Terms in the shorter of two formulas: so many that the square of their number is far beyond every budget.
@@ -29,8 +31,10 @@ fn steps(first: &str, step: &str, count: usize) -> String {
     source + "t"
 }
 
-/// Looks that a function's gradient by `x` and `y` takes, and those of the searches through its circuit.
-fn looks(body: &str) -> [usize; 2] {
+/// What is counted of a function and its gradient by `x` and `y`: looks for the gradient, looks of the searches through its
+/// circuit, operands in its graph, in which no product may be written out at every step of a chain, and operations that
+/// are done to hold forms against the author's, over all points.
+fn counted(body: &str) -> [(&'static str, usize); 4] {
     let source = format!("#[symbolic] mod m {{ pub fn f(x: f64, y: f64) -> f64 {{ {body} }} }}");
     let mut expansion = show::module(&source).expect("a module");
     expansion.read_all();
@@ -40,22 +44,46 @@ fn looks(body: &str) -> [usize; 2] {
     let mut of_gradient = Budget::default();
     differentiate::gradient_within(&mut graph, formula.roots[0], &by, &mut of_gradient);
     let (graph, outputs) = derive(formula, Form::Gradient, &by);
-    let circuit = lower::lower(&graph, &outputs.all());
+    let all = outputs.all();
+    let operands = graph.reachable(&all).into_iter();
+    let operands = operands.map(|id| graph.operands(id).len()).sum();
+    let circuit = lower::lower(&graph, &all);
     let mut of_searches = Budget::default();
     // Orders in which sums and in which products are shared first.
     for order in [ORDERS[1], ORDERS[7]] {
         extract_within(&mut circuit.clone(), order, &mut of_searches);
     }
-    [of_gradient.spent(), of_searches.spent()]
+    [
+        ("looks for the gradient", of_gradient.spent()),
+        ("looks of the searches", of_searches.spent()),
+        ("operands", operands),
+        ("operations at points", at_points(formula, &by)),
+    ]
 }
 
-/// Twice the terms take little more than twice the looks.
+/// The operations of the author's form at all points on which others are held against it.
+fn at_points(formula: &Formula, by: &[SymbolId]) -> usize {
+    let Written {
+        graph,
+        roots,
+        reverse,
+        ..
+    } = derive_written(formula, Form::Gradient, by);
+    let operations = graph.reachable(&[roots.clone(), reverse].concat()).len();
+    let differences = probes::differences(&graph, &roots);
+    let share = probes::share(operations);
+    let groups = probes::groups(&graph, &differences, share);
+    let in_groups: usize = groups.iter().map(Vec::len).sum();
+    operations * (probes::points(&graph, &roots, &differences, share).len() + in_groups)
+}
+
+/// Twice the terms take little more than twice of all that is counted.
 fn assert_growth(first: &str, step: &str) {
-    let [short, long] = [TERMS, 2 * TERMS].map(|count| looks(&steps(first, step, count)));
-    for (short, long) in short.into_iter().zip(long) {
+    let [short, long] = [TERMS, 2 * TERMS].map(|count| counted(&steps(first, step, count)));
+    for ((what, short), (_, long)) in short.into_iter().zip(long) {
         assert!(
             long as f64 <= 2.5 * short as f64 + 1000.0,
-            "{step}: {short} looks, then {long}"
+            "{step}: {short} {what}, then {long}"
         );
     }
 }
@@ -70,6 +98,7 @@ fn sums_of_many_terms() {
             .as_str(),
     );
     assert_growth("y", "t + 1.0 / (x + {c})");
+    assert_growth("y", "t + (x + {c}).powi(2)");
     assert_growth("y", "t + x.min({c})");
 }
 
@@ -83,5 +112,21 @@ fn products_of_many_factors() {
 fn chains() {
     assert_growth("y", "t.min({c} * x)");
     assert_growth("y", "(t + {c}).max({c} * x)");
+    assert_growth("y", "(t + x).sqrt()");
+}
+
+#[test]
+fn chains_of_quotients() {
+    assert_growth("y", "{c} + x / t");
     assert_growth("y", "{c} + x * t / (x + t)");
+    assert_growth("y", "(t + {c}) / (x + t)");
+}
+
+/// Whatever a formula's size, what it is looked at with is bounded, and small ones are looked at on all points.
+#[test]
+fn points_are_as_many_as_a_formula_can_afford() {
+    assert_eq!(probes::share(0), 1.0);
+    assert_eq!(probes::share(2_000), 1.0);
+    assert!(probes::share(8_000) < 0.5);
+    assert!(probes::share(1_000_000) > 0.1);
 }

@@ -9,7 +9,7 @@
 //! side is taken on which the difference of the two, as it stands, is above zero; that of its negative is the same side.
 //! Where one of two is not a number, the larger and the smaller of them are the other, and so is the derivative.
 
-use crate::graph::{ExprId, Function, Graph, Node, Rational, Sign};
+use crate::graph::{ExprId, Function, Graph, Images, Node, Rational, Sign};
 
 /// Whether the function is one of several alternatives.
 pub(super) fn is_choice(function: Function) -> bool {
@@ -77,6 +77,7 @@ impl Taken {
 /// When which alternative of a choice is taken, from the derivatives of both.
 pub(super) fn taken(
     graph: &mut Graph,
+    signs: &mut Signs,
     (choice, function): (ExprId, Function),
     operands: &[ExprId],
     first: &[ExprId],
@@ -90,7 +91,7 @@ pub(super) fn taken(
     let apart = both.find(|(first, second)| first != second);
     let growth = apart.map(|(first, second)| graph.subtract(*first, *second));
     let difference = graph.subtract(a, b);
-    if goes_above(graph, difference, growth) == (function == Function::Max) {
+    if goes_above(graph, signs, difference, growth) == (function == Function::Max) {
         Taken::First([choice, a])
     } else {
         Taken::Second([choice, b])
@@ -98,10 +99,10 @@ pub(super) fn taken(
 }
 
 /// The derivative of a size by what it is the size of, 1 or −1, from the derivatives of the latter.
-pub(super) fn side(graph: &mut Graph, of: ExprId, inner: &[ExprId]) -> ExprId {
+pub(super) fn side(graph: &mut Graph, signs: &mut Signs, of: ExprId, inner: &[ExprId]) -> ExprId {
     let is_zero = |id: &ExprId| graph.as_number(*id).is_some_and(Rational::is_zero);
     let growth = inner.iter().copied().find(|partial| !is_zero(partial));
-    if goes_above(graph, of, growth) {
+    if goes_above(graph, signs, of, growth) {
         return graph.apply(Function::Side, [of].as_slice());
     }
     let opposite = graph.negate(of);
@@ -110,8 +111,13 @@ pub(super) fn side(graph: &mut Graph, of: ExprId, inner: &[ExprId]) -> ExprId {
 }
 
 /// Whether a difference is above zero on the side of a corner that is taken, from its first derivative that is not 0.
-fn goes_above(graph: &Graph, difference: ExprId, growth: Option<ExprId>) -> bool {
-    match growth.map(|growth| sign_of(graph, growth)) {
+fn goes_above(
+    graph: &Graph,
+    signs: &mut Signs,
+    difference: ExprId,
+    growth: Option<ExprId>,
+) -> bool {
+    match growth.map(|growth| signs.of(graph, growth)) {
         Some(sign) if sign.is_not_negative() => true,
         Some(sign) if sign.is_not_positive() => false,
         _ => match graph.node(difference) {
@@ -124,14 +130,22 @@ fn goes_above(graph: &Graph, difference: ExprId, growth: Option<ExprId>) -> bool
     }
 }
 
-/// What is known of a derivative's sign: of the author's operations one by one what is known when they are gathered.
-fn sign_of(graph: &Graph, growth: ExprId) -> Sign {
-    if !graph.is_as_written() {
-        return graph.sign(growth);
+/// What is known of the signs of the derivatives of one function: of the author's operations one by one what is known when
+/// they are gathered, which each is once.
+#[derive(Default)]
+pub(super) struct Signs {
+    gathered: Option<Graph>,
+    images: Images,
+}
+
+impl Signs {
+    fn of(&mut self, graph: &Graph, growth: ExprId) -> Sign {
+        if !graph.is_as_written() {
+            return graph.sign(growth);
+        }
+        let empty = || Graph::with_symbols_of(graph);
+        let gathered = self.gathered.get_or_insert_with(empty);
+        let image = graph.rebuild_more(gathered, growth, &mut self.images);
+        gathered.sign(image)
     }
-    let mut gathered = Graph::with_symbols_of(graph);
-    let roots = graph.rebuild(&mut gathered, &[growth], |_, _, image| image);
-    roots
-        .first()
-        .map_or(Sign::UNKNOWN, |root| gathered.sign(*root))
 }

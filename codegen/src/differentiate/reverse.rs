@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use rustc_hash::FxHashSet;
 
+use super::corners::Signs;
 use super::{LEAST_LOOKS, LOOKS_PER_NODE, corners, slopes};
 use crate::budget::Budget;
 use crate::graph::{ExprId, Function, Graph, Node, Operands, Rational, SymbolId, whole};
@@ -22,6 +23,7 @@ pub(super) fn gradient(
         by,
         depends,
         known: BTreeMap::new(),
+        signs: Signs::default(),
     };
     sweeps.run(graph, function, budget)?;
     sweeps.known.remove(&function)
@@ -61,6 +63,7 @@ struct Sweeps<'a> {
     depends: FxHashSet<ExprId>,
     /// The partials of the functions that were swept.
     known: BTreeMap<ExprId, Vec<ExprId>>,
+    signs: Signs,
 }
 
 /// What a node's users pass on to it, to be summed.
@@ -196,11 +199,18 @@ impl Sweeps<'_> {
 
     /// The derivative of a choice is a choice between the derivatives, all factors included: a choice between 1 and 0 as a
     /// factor of them would be 0·∞ where the alternative that is not taken has an infinite derivative.
-    fn pass_choice(&self, graph: &mut Graph, corner: &Corner, adjoints: &mut Adjoints) {
+    fn pass_choice(&mut self, graph: &mut Graph, corner: &Corner, adjoints: &mut Adjoints) {
         let [first, second] =
             corners::alternatives(&corner.operands).map(|id| self.known[&id].clone());
         let choice = (corner.id, corner.function);
-        let taken = corners::taken(graph, choice, &corner.operands, &first, &second);
+        let taken = corners::taken(
+            graph,
+            &mut self.signs,
+            choice,
+            &corner.operands,
+            &first,
+            &second,
+        );
         for ((symbol, first), second) in self.by.iter().zip(first).zip(second) {
             let both = [first, second].map(|partial| graph.multiply(corner.adjoint, partial));
             let share = taken.of(graph, both);
@@ -213,9 +223,9 @@ impl Sweeps<'_> {
     }
 
     /// The derivative of a size is that of what it is the size of, times the side of 0 on which that is.
-    fn pass_size(&self, graph: &mut Graph, corner: &Corner, adjoints: &mut Adjoints) {
+    fn pass_size(&mut self, graph: &mut Graph, corner: &Corner, adjoints: &mut Adjoints) {
         let inner = corner.operands[0];
-        let side = corners::side(graph, inner, &self.known[&inner]);
+        let side = corners::side(graph, &mut self.signs, inner, &self.known[&inner]);
         let share = graph.multiply(corner.adjoint, side);
         adjoints.entry(inner).or_default().push((share, whole(1)));
     }

@@ -119,8 +119,7 @@ fn smooth(function: Function, x: f64) -> (f64, f64) {
 impl Number for Bounded {
     fn rational(value: &Rational) -> Self {
         let nearest = value.to_f64().unwrap_or(f64::NAN);
-        let is_small = value.is_integer() && nearest.abs() < 1e15;
-        if is_small || Rational::of_f64(nearest).is_some_and(|nearest| nearest == *value) {
+        if value.is_f64() {
             return Self::exact(nearest);
         }
         let mut rounded = Self::after(nearest, 0.0, &[]);

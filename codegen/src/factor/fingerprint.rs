@@ -12,6 +12,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use num_bigint::BigInt;
 use num_traits::ToPrimitive;
+use rustc_hash::FxHashMap;
 
 use crate::graph::{ExprId, Function, Graph, Node, Rational, SymbolId};
 
@@ -55,6 +56,35 @@ fn power_in(field: usize, base: u64, exponent: u64) -> u64 {
     result
 }
 
+/// The inverse by Euclid's algorithm, which ends after a few divisions where the number is small; that of 0 is 0.
+fn inverse_in(field: usize, number: u64) -> u64 {
+    let prime = PRIMES[field].cast_signed();
+    let (mut rest, mut next) = (prime, number.cast_signed());
+    // What each of the two is a multiple of the number by, but for multiples of the prime; no larger than it in size.
+    let (mut of_rest, mut of_next) = (0, 1);
+    while next != 0 {
+        let quotient = rest / next;
+        (rest, next) = (next, rest - quotient * next);
+        (of_rest, of_next) = (of_next, of_rest - quotient * of_next);
+    }
+    let inverse = if of_rest < 0 {
+        of_rest + prime
+    } else {
+        of_rest
+    };
+    inverse.unsigned_abs()
+}
+
+/// A small number of both fields.
+fn small(number: u64) -> Residue {
+    Residue::of(|field| number % PRIMES[field])
+}
+
+fn signed(number: i64) -> Residue {
+    let size = small(number.unsigned_abs());
+    if number < 0 { size.negative() } else { size }
+}
+
 impl Residue {
     /// 0
     pub const ZERO: Self = Self([0; 2]);
@@ -68,19 +98,18 @@ impl Residue {
 
     /// The residue of a rational number; in a field whose prime divides its numerator or denominator it is drawn.
     pub fn rational(value: &Rational) -> Self {
-        // Most constants of formulas are whole and small, and an inverse takes a hundred products.
-        let small = value
-            .to_i64()
-            .filter(|small| small.unsigned_abs() < PRIMES[0].min(PRIMES[1]));
-        if let Some(small) = small {
-            let size = Self([small.unsigned_abs(); 2]);
-            return if small < 0 { size.negative() } else { size };
-        }
-        let [above, below] = [value.numerator(), value.denominator()].map(|part| whole(&part));
+        let parts = match value.small_parts() {
+            // Most constants of formulas are whole and small.
+            Some((numerator, 1)) => return signed(numerator),
+            Some((numerator, denominator)) => [signed(numerator), small(denominator)],
+            None => [value.numerator(), value.denominator()].map(|part| whole(&part)),
+        };
+        let [above, below] = parts;
         let quotient = above.times(below.inverse());
-        let parts = [above, below];
-        let drawn = drawn(CONSTANT, 0, parts.into_iter());
-        quotient.or_where_zero(drawn)
+        if quotient.vanishes() {
+            return quotient.or_where_zero(drawn(CONSTANT, 0, parts.into_iter()));
+        }
+        quotient
     }
 
     /// The other number in the fields in which this one is 0.
@@ -131,7 +160,7 @@ impl Residue {
 
     /// The inverse; that of 0 is 0.
     pub fn inverse(self) -> Self {
-        Self::of(|field| power_in(field, self.0[field], PRIMES[field] - 2))
+        Self::of(|field| inverse_in(field, self.0[field]))
     }
 
     /// The inverses of many, of which only one is worked out: the others are products.
@@ -245,6 +274,18 @@ pub fn node_at(
     point: u64,
     value: impl Fn(ExprId) -> Residue,
 ) -> Residue {
+    let inverse = |divisor| inverse(value(divisor), point);
+    node_with(graph, id, point, &value, inverse)
+}
+
+/// The same from the inverses of its operands too.
+fn node_with(
+    graph: &Graph,
+    id: ExprId,
+    point: u64,
+    value: impl Fn(ExprId) -> Residue,
+    mut inverse: impl FnMut(ExprId) -> Residue,
+) -> Residue {
     let drawn = |kind: u64, operands: &[ExprId]| {
         drawn(kind, point, operands.iter().map(|operand| value(*operand)))
     };
@@ -261,11 +302,10 @@ pub fn node_at(
             factors
                 .iter()
                 .fold(Residue::ONE, |product, (operand, exponent)| {
-                    let factor = value(*operand);
                     let base = if *exponent < 0 {
-                        inverse(factor, point)
+                        inverse(*operand)
                     } else {
-                        factor
+                        value(*operand)
                     };
                     product.times(base.power(u64::from(exponent.unsigned_abs())))
                 })
@@ -317,9 +357,15 @@ pub fn vanishing(graph: &Graph, ids: &[ExprId]) -> Vec<ExprId> {
 /// The values of all nodes that the roots need at a point, by position; others are 0.
 pub fn all_at(graph: &Graph, roots: &[ExprId], point: u64) -> Vec<Residue> {
     let mut values = vec![Residue::ZERO; graph.len()];
+    // A divisor may stand in many products.
+    let mut inverses: FxHashMap<ExprId, Residue> = FxHashMap::default();
     for id in graph.reachable(roots) {
-        let value = node_at(graph, id, point, |operand| values[operand.index()]);
-        values[id.index()] = value;
+        let value = |operand: ExprId| values[operand.index()];
+        let inverse = |divisor: ExprId| {
+            let known = inverses.entry(divisor);
+            *known.or_insert_with(|| inverse(value(divisor), point))
+        };
+        values[id.index()] = node_with(graph, id, point, value, inverse);
     }
     values
 }

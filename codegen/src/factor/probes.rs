@@ -75,16 +75,42 @@ const ALONE: usize = 96;
 /// How many have several, where there are more than two numbers.
 const TOGETHER: u64 = 96;
 
-/// The points for a formula, each a number for each symbol: those of everyday first.
-pub fn points(graph: &Graph, roots: &[ExprId], differences: &[Difference]) -> Vec<Vec<f64>> {
+/// What looking at all points costs at most, in operations, each of which takes some 20 ns: a formula of more than 2,600
+/// operations is looked at on fewer points, of every kind the same share.
+const WORK: usize = 1 << 20;
+
+/// The share of the points that is left of any formula: some seventy.
+const LEAST_SHARE: f64 = 1.0 / 6.0;
+
+/// The share of the points on which a formula of so many operations is looked at.
+pub fn share(operations: usize) -> f64 {
+    let points = ORDINARY + FAR + MIXED + ALONE as u64 + TOGETHER;
+    let share = WORK as f64 / (operations.max(1) as f64 * points as f64);
+    share.clamp(LEAST_SHARE, 1.0)
+}
+
+/// A share of some items, evenly spread.
+fn spread<T>(items: impl IntoIterator<Item = T>, share: f64) -> impl Iterator<Item = T> {
+    let is_kept =
+        move |place: usize| (place as f64 * share).floor() < ((place + 1) as f64 * share).floor();
+    let items = items.into_iter().enumerate();
+    items.filter_map(move |(place, item)| is_kept(place).then_some(item))
+}
+
+/// The points for a formula, each a number for each symbol: those of everyday first. Of each kind a share.
+pub fn points(
+    graph: &Graph,
+    roots: &[ExprId],
+    differences: &[Difference],
+    share: f64,
+) -> Vec<Vec<f64>> {
     let used = graph.symbols_of(roots);
     let places: Vec<usize> = used.iter().map(|symbol| symbol.index()).collect();
     let everyday_and_far =
-        (0..ORDINARY + FAR).map(|number| near_differences(graph, differences, number));
-    let mixed = (0..MIXED).map(|number| mixed(graph, number));
-    let special = alone(graph, &places)
-        .into_iter()
-        .chain(together(graph, &places));
+        spread(0..ORDINARY + FAR, share).map(|number| near_differences(graph, differences, number));
+    let mixed = spread(0..MIXED, share).map(|number| mixed(graph, number));
+    let special = [alone(graph, &places), together(graph, &places)];
+    let special = special.into_iter().flat_map(|kind| spread(kind, share));
     everyday_and_far.chain(mixed).chain(special).collect()
 }
 
@@ -315,10 +341,12 @@ fn together(graph: &Graph, places: &[usize]) -> Vec<Vec<f64>> {
     (0..count).map(point).collect()
 }
 
-/// Points of everyday with all digits, in groups that differ in the last digits alone.
-pub fn groups(graph: &Graph, differences: &[Difference]) -> Vec<Vec<Vec<f64>>> {
+/// Points of everyday with all digits, in groups that differ in the last digits alone: a share of the groups, and of each a
+/// share, but two at least.
+pub fn groups(graph: &Graph, differences: &[Difference], share: f64) -> Vec<Vec<Vec<f64>>> {
     const GROUPS: u64 = 5;
     const POINTS: u64 = 4;
+    let [groups, points] = [GROUPS, POINTS].map(|all| (all as f64 * share).ceil().max(2.0) as u64);
     let group = |number: u64| {
         // Those of 1e9 and 1e-9 among them.
         let middle = near_differences(graph, differences, number);
@@ -328,9 +356,9 @@ pub fn groups(graph: &Graph, differences: &[Difference]) -> Vec<Vec<Vec<f64>>> {
                 |value: &f64| value * (1.0 + random.below(1 << 20) as f64 * 2.0_f64.powi(-50));
             middle.iter().map(shift).collect()
         };
-        (0..POINTS).map(point).collect()
+        (0..points).map(point).collect()
     };
-    (1..=GROUPS).map(group).collect()
+    (1..=groups).map(group).collect()
 }
 
 /// The same numbers at every build.

@@ -11,14 +11,13 @@
 
 use std::fmt;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Mutex, PoisonError};
 
 use super::bounded::Bounded;
 use super::circuit::{Circuit, Operation};
 use super::probes;
 use crate::graph::{ExprId, Function, Graph, Symbol, SymbolId};
 use crate::interpret::double_double::DoubleDouble;
-use crate::interpret::{self, Number};
+use crate::interpret::{Number, Prepared};
 use crate::parallel::on_all_cores;
 
 /// How much larger than the author's the error of a form may be. Both are bounds, which grow with the number of
@@ -99,10 +98,11 @@ struct Measured {
 }
 
 impl Measured {
-    fn of(author: &Author<'_>, at: Vec<f64>) -> Self {
-        let [bounds, reverse] = author.bounds(&at);
+    fn of(author: &Author, at: Vec<f64>) -> Self {
+        let [bounds, reverse] = author.bounds(&at, &mut Vec::new());
+        let symbols: Vec<DoubleDouble> = at.iter().copied().map(DoubleDouble::exact).collect();
         Self {
-            exact: author.evaluated(&author.written.roots, &at, DoubleDouble::exact),
+            exact: author.exact.at(&symbols),
             bounds: lenient(&bounds, &reverse),
             reverse,
             at,
@@ -111,26 +111,38 @@ impl Measured {
 }
 
 /// The author's form, ready to be evaluated.
-struct Author<'w> {
-    written: &'w Written,
-    order: Vec<ExprId>,
+struct Author {
+    /// The numbers with partials as dual numbers have them, then the same in the reverse mode.
+    both: Prepared<Bounded>,
+    /// The first of these.
+    exact: Prepared<DoubleDouble>,
+    /// How many numbers there are.
+    count: usize,
 }
 
-impl Author<'_> {
-    fn evaluated<N: Number>(&self, roots: &[ExprId], at: &[f64], number: fn(f64) -> N) -> Vec<N> {
-        let symbols: Vec<N> = at.iter().copied().map(number).collect();
-        let graph = &self.written.graph;
-        let values = interpret::evaluate_in_order(graph, &self.order, roots, &symbols);
-        values.unwrap_or_default()
+impl Author {
+    /// None where there is an integral, of which there is no code.
+    fn of(written: &Written) -> Option<Self> {
+        let Written {
+            graph,
+            roots,
+            reverse,
+            ..
+        } = written;
+        let all = [roots.as_slice(), reverse].concat();
+        Some(Self {
+            both: Prepared::of_graph(graph, &graph.reachable(&all), &all)?,
+            exact: Prepared::of_graph(graph, &graph.reachable(roots), roots)?,
+            count: roots.len(),
+        })
     }
 
-    /// The numbers with partials as dual numbers have them, and in the reverse mode.
-    fn bounds(&self, at: &[f64]) -> [Vec<Bounded>; 2] {
-        let Written { roots, reverse, .. } = self.written;
-        let both = [roots.as_slice(), reverse].concat();
-        let mut bounds = self.evaluated(&both, at, Bounded::exact);
-        let of_reverse = bounds.split_off(roots.len().min(bounds.len()));
-        [bounds, of_reverse]
+    /// The numbers in both modes.
+    fn bounds(&self, at: &[f64], memory: &mut Vec<Bounded>) -> [Vec<Bounded>; 2] {
+        let symbols: Vec<Bounded> = at.iter().copied().map(Bounded::exact).collect();
+        let mut bounds = self.both.at_with(&symbols, memory);
+        let reverse = bounds.split_off(self.count);
+        [bounds, reverse]
     }
 }
 
@@ -168,68 +180,97 @@ impl Reference {
     }
 
     fn at(written: &Written, differences: &[probes::Difference]) -> Self {
-        let Written {
-            graph,
-            roots,
-            reverse,
-            ..
-        } = written;
-        let author = Author {
-            order: graph.reachable(&[roots.as_slice(), reverse].concat()),
-            written,
-        };
-        let probes = probes::points(graph, roots, differences);
-        let outputs = on_all_cores(&probes, |at| {
-            let [forward, reverse] = author.bounds(at);
-            lenient(&forward, &reverse)
-        });
-        let exact = |values: Vec<f64>| values.into_iter().map(Bounded::exact).collect();
-        let groups = probes::groups(graph, differences);
-        let measured = |group: &Vec<Vec<f64>>| {
-            let points = group.iter().cloned();
-            points.map(|at| Measured::of(&author, at)).collect()
-        };
+        let Written { graph, roots, .. } = written;
         let used = graph.symbols_of(roots);
         let name =
             |(id, symbol): (SymbolId, &Symbol)| used.contains(&id).then(|| symbol.name.clone());
+        let names = graph.symbols().map(name).collect();
+        let Some(author) = Author::of(written) else {
+            return Self {
+                names,
+                points: Vec::new(),
+                outputs: Vec::new(),
+                groups: Vec::new(),
+            };
+        };
+        let share = probes::share(author.both.len());
+        let points = probes::points(graph, roots, differences, share);
+        let outputs = in_parts(&points, author.both.len(), |points| {
+            let mut memory = Vec::new();
+            let lenient = |at: &Vec<f64>| {
+                let [forward, reverse] = author.bounds(at, &mut memory);
+                lenient(&forward, &reverse)
+            };
+            points.iter().map(lenient).collect::<Vec<_>>()
+        });
+        let exact = |values: Vec<f64>| values.into_iter().map(Bounded::exact).collect();
+        let groups = probes::groups(graph, differences, share);
+        let measured = in_parts(&groups, OF_A_GROUP * author.both.len(), |groups| {
+            let of_group = |group: &Vec<Vec<f64>>| {
+                let points = group.iter().cloned();
+                points.map(|at| Measured::of(&author, at)).collect()
+            };
+            groups.iter().map(of_group).collect::<Vec<_>>()
+        });
         Self {
-            names: graph.symbols().map(name).collect(),
-            points: probes.into_iter().map(exact).collect(),
-            outputs,
-            groups: on_all_cores(&groups, measured),
+            names,
+            points: points.into_iter().map(exact).collect(),
+            outputs: outputs.into_iter().flatten().collect(),
+            groups: measured.into_iter().flatten().collect(),
         }
     }
 
     /// What is wrong with a circuit of the same outputs; nothing where it is as right as the author's form.
     pub fn fault(&self, graph: &Graph, circuit: &Circuit) -> Option<Fault> {
-        let first: Mutex<Option<(usize, Fault)>> = Mutex::new(None);
+        let prepared = Prepared::of_circuit(graph, circuit);
+        let first = AtomicUsize::new(usize::MAX);
         let places: Vec<usize> = (0..self.points.len()).collect();
-        let known = || first.lock().unwrap_or_else(PoisonError::into_inner);
-        on_all_cores(&places, |place| {
-            // One point decides: the first that does, whichever core finds one sooner.
-            if known().as_ref().is_some_and(|(before, _)| before < place) {
-                return;
-            }
-            if let Some(fault) = self.fault_at(*place, graph, circuit) {
-                let mut first = known();
-                if first.as_ref().is_none_or(|(before, _)| place < before) {
-                    *first = Some((*place, fault));
+        let found = in_parts(&places, prepared.len(), |places| {
+            let mut memory = Vec::new();
+            for place in places {
+                // One point decides: the first that does, whichever core finds one sooner.
+                if first.load(Ordering::Relaxed) < *place {
+                    return None;
+                }
+                if let Some(fault) = self.fault_at(*place, &prepared, &mut memory) {
+                    first.fetch_min(*place, Ordering::Relaxed);
+                    return Some(fault);
                 }
             }
+            None
         });
-        let found = first.into_inner().unwrap_or_else(PoisonError::into_inner);
-        match found {
-            Some((_, fault)) => Some(fault),
-            None => self
-                .groups
-                .iter()
-                .find_map(|group| self.fault_of_group(group, graph, circuit)),
-        }
+        found
+            .into_iter()
+            .flatten()
+            .next()
+            .or_else(|| self.fault_of_groups(graph, circuit, &prepared))
     }
 
-    fn fault_at(&self, place: usize, graph: &Graph, circuit: &Circuit) -> Option<Fault> {
+    fn fault_of_groups(
+        &self,
+        graph: &Graph,
+        circuit: &Circuit,
+        bounds: &Prepared<Bounded>,
+    ) -> Option<Fault> {
+        let other = Other {
+            bounds,
+            exact: &Prepared::of_circuit(graph, circuit),
+            has_no_corners: has_no_corners(circuit),
+        };
+        let groups = self.groups.iter();
+        groups
+            .filter_map(|group| self.fault_of_group(group, &other))
+            .next()
+    }
+
+    fn fault_at(
+        &self,
+        place: usize,
+        prepared: &Prepared<Bounded>,
+        memory: &mut Vec<Bounded>,
+    ) -> Option<Fault> {
         let at = &self.points[place];
-        let found = interpret::evaluate_circuit(graph, circuit, at);
+        let found = prepared.at_with(at, memory);
         let text = || self.text(at.iter().map(|number| number.value));
         self.outputs[place]
             .iter()
@@ -251,12 +292,7 @@ impl Reference {
 
     /// Compares the errors of both forms at points that differ in their last digits alone: the larger one of some is no
     /// matter of chance.
-    fn fault_of_group(
-        &self,
-        group: &[Measured],
-        graph: &Graph,
-        circuit: &Circuit,
-    ) -> Option<Fault> {
+    fn fault_of_group(&self, group: &[Measured], other: &Other<'_>) -> Option<Fault> {
         let mut errors: Vec<[f64; 2]> = Vec::new();
         for Measured {
             at,
@@ -266,9 +302,9 @@ impl Reference {
         } in group
         {
             let symbols: Vec<Bounded> = at.iter().copied().map(Bounded::exact).collect();
-            let found = interpret::evaluate_circuit(graph, circuit, &symbols);
+            let found = other.bounds.at(&symbols);
             let symbols: Vec<DoubleDouble> = at.iter().copied().map(DoubleDouble::exact).collect();
-            let found_exact = interpret::evaluate_circuit(graph, circuit, &symbols);
+            let found_exact = other.exact.at(&symbols);
             errors.resize(bounds.len(), [0.0; 2]);
             for (place, known) in bounds.iter().enumerate() {
                 let (exact, found_exact) = (exact[place], found_exact[place]);
@@ -278,7 +314,7 @@ impl Reference {
                 if !(known.value.is_finite() && apart.is_finite() && lost.is_finite()) {
                     continue;
                 }
-                if apart > ALLOWED * lost && has_no_corners(circuit) {
+                if apart > ALLOWED * lost && other.has_no_corners {
                     REFUTED.fetch_add(1, Ordering::Relaxed);
                     return Some(Fault::Another(self.text(at.iter().copied())));
                 }
@@ -309,6 +345,30 @@ impl Reference {
             .collect();
         values.join(", ")
     }
+}
+
+/// The least operations that are worth a thread: some hundred microseconds of work.
+const WORTH_A_THREAD: usize = 1 << 14;
+
+/// What an operation at all points of a group, in twice the digits too, counts for beside one at a point.
+const OF_A_GROUP: usize = 16;
+
+/// What `work` makes of parts of the items, in order, worked out on all cores; for each item so many operations are done.
+fn in_parts<T: Sync, R: Send>(
+    items: &[T],
+    operations: usize,
+    work: impl Fn(&[T]) -> R + Sync,
+) -> Vec<R> {
+    let length = (WORTH_A_THREAD / operations.max(1)).max(1);
+    let parts: Vec<&[T]> = items.chunks(length).collect();
+    on_all_cores(&parts, |part| work(part))
+}
+
+/// Another form, ready to be evaluated.
+struct Other<'o> {
+    bounds: &'o Prepared<Bounded>,
+    exact: &'o Prepared<DoubleDouble>,
+    has_no_corners: bool,
 }
 
 /// Whether a circuit has no function that jumps or bends, where rounding may decide which side a number is on.

@@ -240,6 +240,28 @@ impl Rational {
         }
     }
 
+    /// Numerator and denominator in lowest terms, where both are small.
+    pub fn small_parts(&self) -> Option<(i64, u64)> {
+        match &self.0 {
+            Small(numerator, denominator) => Some((*numerator, denominator.get())),
+            Large(_) => None,
+        }
+    }
+
+    /// Whether it is a number of double precision.
+    pub fn is_f64(&self) -> bool {
+        match &self.0 {
+            Small(numerator, denominator) => {
+                let odd = numerator.unsigned_abs() >> numerator.trailing_zeros().min(63);
+                denominator.is_power_of_two() && odd < 1 << 53
+            }
+            Large(_) => {
+                let nearest = self.to_f64().and_then(Self::of_f64);
+                nearest.is_some_and(|nearest| nearest == *self)
+            }
+        }
+    }
+
     /// The number, if it is a whole one of 32 bits.
     pub fn to_i32(&self) -> Option<i32> {
         match &self.0 {
@@ -487,6 +509,8 @@ mod tests {
             prop_assert_eq!(a == b, big_a == big_b);
             prop_assert_eq!(a.to_f64(), big_a.to_f64());
             prop_assert_eq!(a.is_integer(), big_a.is_integer());
+            let nearest = big_a.to_f64().and_then(BigRational::from_float);
+            prop_assert_eq!(a.is_f64(), nearest == Some(big_a.clone()));
             prop_assert_eq!(a.to_i32(), big_a.is_integer().then(|| big_a.to_i32()).flatten());
         }
     }

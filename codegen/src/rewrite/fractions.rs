@@ -145,23 +145,18 @@ const MOST_TERMS: usize = 6;
 const LOOKS: usize = 1 << 13;
 const LOOKS_OF_QUOTIENTS: usize = 8;
 
+/// Terms of more factors than so many each, beside some, are not looked at: they are not what an author wrote, but the
+/// derivatives along a chain, whose products would grow with every step.
+const FACTORS_PER_TERM: usize = 8;
+const MORE_FACTORS: usize = 32;
+
 /// Terms of a sum whose common denominator makes them cancel: 1/r − x²/(s·r) with s = x² + y is y/(s·r). As it stands it
 /// is the difference of two nearly equal fractions where y is small beside x².
 pub(super) fn cancelling_fractions(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
     let Node::Sum(terms) = graph.node(id).clone() else {
         return None;
     };
-    let is_fraction = |(term, _): &(ExprId, Rational)| match graph.node(*term) {
-        Node::Product(factors) => factors.iter().any(|(_, exponent)| *exponent < 0),
-        _ => false,
-    };
-    if !terms.iter().any(is_fraction) {
-        return None;
-    }
-    let powers: Vec<Powers> = terms
-        .iter()
-        .map(|(term, _)| parts(graph, *term).1.into_iter().collect())
-        .collect();
+    let powers = powers_of_fractions(graph, &terms)?;
     let by_divisor = by_divisor(&powers);
     let mut looks = LOOKS;
     for (first, above) in powers.iter().enumerate() {
@@ -207,6 +202,23 @@ pub(super) fn cancelling_fractions(graph: &mut Graph, id: ExprId) -> Option<Expr
         }
     }
     None
+}
+
+/// The terms by their factors; None where no term is a fraction, or where they are longer than what is looked at.
+fn powers_of_fractions(graph: &Graph, terms: &[(ExprId, Rational)]) -> Option<Vec<Powers>> {
+    let is_fraction = |(term, _): &(ExprId, Rational)| match graph.node(*term) {
+        Node::Product(factors) => factors.iter().any(|(_, exponent)| *exponent < 0),
+        _ => false,
+    };
+    if !terms.iter().any(is_fraction) {
+        return None;
+    }
+    let powers = terms.iter().map(|(term, _)| parts(graph, *term).1);
+    let powers: Vec<Powers> = powers
+        .map(|factors| factors.into_iter().collect())
+        .collect();
+    let factors: usize = powers.iter().map(BTreeMap::len).sum();
+    (factors <= MORE_FACTORS + FACTORS_PER_TERM * terms.len()).then_some(powers)
 }
 
 /// The divisors of the terms with their exponents, each with the positions of the terms.

@@ -3,7 +3,7 @@
 use super::comparison::{Failure, Report, Wrong, compare};
 use super::points::Inputs;
 use super::program::{Kind, Node, Output, Program};
-use super::subject::{Missing, Subject, Wanted};
+use super::subject::{Missing, Stages, Subject, Wanted};
 
 /// How many programs are tried at most.
 const TRIALS: usize = 1500;
@@ -44,7 +44,7 @@ fn same_failure(program: &Program, failure: &Failure) -> Option<Failure> {
     let wanted = if failure.wrong == Wrong::Panic {
         Wanted::Several {
             hessian: true,
-            stages: true,
+            stages: Stages::All,
             emitted: false,
         }
     } else {

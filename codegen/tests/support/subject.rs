@@ -63,13 +63,22 @@ pub enum Missing {
     Panicked(String),
 }
 
+/// Along which inputs a program is looked at in stages.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stages {
+    None,
+    /// Two of them, by this number.
+    InTurn(usize),
+    All,
+}
+
 /// Which forms are wanted.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Wanted {
     /// The value and its gradient, and what is said here.
     Several {
         hessian: bool,
-        stages: bool,
+        stages: Stages,
         emitted: bool,
     },
     /// The one of that name.
@@ -87,7 +96,7 @@ impl Wanted {
             } => {
                 let excluded = (name.starts_with("emitted") && !emitted)
                     || (name.ends_with("hessian") && !hessian)
-                    || (name.starts_with("stage") && !stages);
+                    || (name.starts_with("stage") && *stages == Stages::None);
                 !excluded
             }
         }
@@ -229,6 +238,16 @@ impl Subject {
         let mut inner: Vec<Vec<&str>> = used.iter().map(|input| vec![*input]).collect();
         if used.len() > 2 {
             inner.push(used[..2].to_vec());
+        }
+        if let Wanted::Several {
+            stages: Stages::InTurn(number),
+            ..
+        } = wanted
+            && inner.len() > 2
+        {
+            let first = inner.remove(number % inner.len());
+            let second = inner.swap_remove(number / (inner.len() + 1) % inner.len());
+            inner = vec![first, second];
         }
         for inner in inner {
             let name = format!("stage {}", inner.join(" "));

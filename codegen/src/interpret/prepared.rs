@@ -1,0 +1,259 @@
+//! Expressions and circuits made ready for being evaluated at many points: their constants are converted once, and the
+//! operands of all operations stand in one array.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use smallvec::SmallVec;
+
+use super::{Number, raised};
+use crate::factor::circuit::{Circuit, Operation};
+use crate::graph::{ExprId, Function, Graph, Node, Rational, Table};
+
+/// Operations in order, operands before their users, over one kind of number.
+pub struct Prepared<N> {
+    steps: Vec<Step<N>>,
+    /// What sums add: places of earlier steps, with coefficients other than 1.
+    terms: Vec<(u32, Option<N>)>,
+    /// What products multiply: places of earlier steps with powers.
+    factors: Vec<(u32, u32)>,
+    /// What functions are of.
+    operands: Vec<u32>,
+    outputs: Vec<u32>,
+    tables: Arc<Vec<Table>>,
+}
+
+/// An operation; what it is of is a part of an array of [`Prepared`].
+enum Step<N> {
+    Value(N),
+    Symbol(usize),
+    Sum(Range<u32>),
+    Product(Range<u32>),
+    /// A product over another; over nothing where the numerator is 1.
+    Fraction(Range<u32>, Range<u32>),
+    Quotient(u32, u32),
+    Apply(Function, Range<u32>),
+    Tabulated {
+        table: usize,
+        order: usize,
+        argument: u32,
+    },
+}
+
+/// What no operation gives.
+fn nothing<N: Number>() -> N {
+    N::rational(&Rational::ZERO).divide(&N::rational(&Rational::ZERO))
+}
+
+/// A part of an array.
+fn part<'a, T>(array: &'a [T], range: &Range<u32>) -> &'a [T] {
+    &array[range.start as usize..range.end as usize]
+}
+
+/// Adds to an array, and says where.
+fn added<T>(array: &mut Vec<T>, items: impl IntoIterator<Item = T>) -> Range<u32> {
+    let start = array.len() as u32;
+    array.extend(items);
+    start..array.len() as u32
+}
+
+impl<N: Number> Prepared<N> {
+    fn empty(graph: &Graph, steps: usize) -> Self {
+        Self {
+            steps: Vec::with_capacity(steps),
+            terms: Vec::new(),
+            factors: Vec::new(),
+            operands: Vec::new(),
+            outputs: Vec::new(),
+            tables: Arc::clone(&graph.tables),
+        }
+    }
+
+    /// The roots of a graph, where the expressions that they need are known, operands before their users. None where an
+    /// integral is among them.
+    pub fn of_graph(graph: &Graph, order: &[ExprId], roots: &[ExprId]) -> Option<Self> {
+        let mut prepared = Self::empty(graph, order.len());
+        let mut places = vec![0_u32; graph.len()];
+        for (place, id) in order.iter().enumerate() {
+            let step = prepared.step_of_node(graph, *id, &places)?;
+            prepared.steps.push(step);
+            places[id.index()] = place as u32;
+        }
+        prepared.outputs = roots.iter().map(|root| places[root.index()]).collect();
+        Some(prepared)
+    }
+
+    fn step_of_node(&mut self, graph: &Graph, id: ExprId, places: &[u32]) -> Option<Step<N>> {
+        let place = |operand: &ExprId| places[operand.index()];
+        Some(match graph.node(id) {
+            Node::Number(number) => Step::Value(N::rational(number)),
+            Node::Constant(constant) => Step::Value(N::constant(*constant)),
+            Node::Symbol(symbol) => Step::Symbol(symbol.index()),
+            Node::Sum(terms) => {
+                let terms = terms.iter().map(|(operand, q)| term(place(operand), q));
+                Step::Sum(added(&mut self.terms, terms))
+            }
+            Node::Product(factors) => {
+                let side = |sign: i32| {
+                    let factors = factors.iter().filter(move |(_, n)| n.signum() == sign);
+                    factors.map(|(operand, n)| (place(operand), n.unsigned_abs()))
+                };
+                let above = added(&mut self.factors, side(1));
+                let below = added(&mut self.factors, side(-1));
+                if below.is_empty() {
+                    Step::Product(above)
+                } else {
+                    Step::Fraction(above, below)
+                }
+            }
+            Node::Apply(function, operands) => {
+                let operands = operands.iter().map(place);
+                Step::Apply(*function, added(&mut self.operands, operands))
+            }
+            Node::Tabulated {
+                table,
+                order,
+                argument,
+            } => Step::Tabulated {
+                table: *table,
+                order: *order,
+                argument: place(argument),
+            },
+            Node::Integral { .. } => return None,
+        })
+    }
+
+    /// The operations of a circuit, in the order in which its code does them.
+    pub fn of_circuit(graph: &Graph, circuit: &Circuit) -> Self {
+        let mut prepared = Self::empty(graph, circuit.nets().size_hint().0);
+        for net in circuit.nets() {
+            let step = prepared.step_of_operation(circuit.operation(net));
+            prepared.steps.push(step);
+        }
+        let outputs = circuit.outputs.iter();
+        prepared.outputs = outputs.map(|output| output.index() as u32).collect();
+        prepared
+    }
+
+    fn step_of_operation(&mut self, operation: &Operation) -> Step<N> {
+        match operation {
+            Operation::Number(number) => Step::Value(N::rational(number)),
+            Operation::Symbol(symbol) => Step::Symbol(symbol.index()),
+            Operation::Sum(terms) => {
+                let terms = terms.iter();
+                let terms = terms.map(|(operand, q)| term(operand.index() as u32, q));
+                Step::Sum(added(&mut self.terms, terms))
+            }
+            Operation::Product(factors) => {
+                let factors = factors.iter();
+                let factors = factors.map(|(operand, power)| (operand.index() as u32, *power));
+                Step::Product(added(&mut self.factors, factors))
+            }
+            Operation::Quotient(numerator, denominator) => {
+                Step::Quotient(numerator.index() as u32, denominator.index() as u32)
+            }
+            Operation::Apply(function, operands) => {
+                let operands = operands.iter().map(|operand| operand.index() as u32);
+                Step::Apply(*function, added(&mut self.operands, operands))
+            }
+            Operation::Tabulated {
+                table,
+                order,
+                argument,
+            } => Step::Tabulated {
+                table: *table,
+                order: *order,
+                argument: argument.index() as u32,
+            },
+        }
+    }
+
+    /// How many operations there are.
+    pub fn len(&self) -> usize {
+        self.steps.len()
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.steps.is_empty()
+    }
+
+    /// The outputs for values of the symbols, in the order in which the graph has these.
+    pub fn at(&self, symbols: &[N]) -> Vec<N> {
+        self.at_with(symbols, &mut Vec::new())
+    }
+
+    /// The same with memory that is used again.
+    pub fn at_with(&self, symbols: &[N], values: &mut Vec<N>) -> Vec<N> {
+        values.clear();
+        values.reserve(self.steps.len());
+        for step in &self.steps {
+            let value = self.value(step, symbols, values);
+            values.push(value);
+        }
+        let outputs = self.outputs.iter();
+        outputs
+            .map(|output| values[*output as usize].clone())
+            .collect()
+    }
+
+    fn value(&self, step: &Step<N>, symbols: &[N], values: &[N]) -> N {
+        let value = |place: u32| &values[place as usize];
+        match step {
+            Step::Value(value) => value.clone(),
+            Step::Symbol(symbol) => symbols.get(*symbol).cloned().unwrap_or_else(nothing),
+            Step::Sum(terms) => part(&self.terms, terms)
+                .iter()
+                .map(|(place, coefficient)| match coefficient {
+                    None => value(*place).clone(),
+                    Some(coefficient) => coefficient.multiply(value(*place)),
+                })
+                .reduce(|sum, term| sum.add(&term))
+                .unwrap_or_else(|| N::rational(&Rational::ZERO)),
+            Step::Product(factors) => self.product(factors, values).unwrap_or_else(nothing),
+            Step::Fraction(above, below) => {
+                let one = || N::rational(&Rational::ONE);
+                let above = self.product(above, values).unwrap_or_else(one);
+                let below = self.product(below, values).unwrap_or_else(one);
+                above.divide(&below)
+            }
+            Step::Quotient(numerator, denominator) => value(*numerator).divide(value(*denominator)),
+            Step::Apply(function, operands) => match part(&self.operands, operands) {
+                [operand] => N::apply(*function, std::slice::from_ref(value(*operand))),
+                operands => {
+                    let operands = operands.iter().map(|operand| value(*operand).clone());
+                    let operands: SmallVec<[N; 4]> = operands.collect();
+                    N::apply(*function, &operands)
+                }
+            },
+            Step::Tabulated {
+                table,
+                order,
+                argument,
+            } => match self.tables.get(*table) {
+                Some(table) => N::tabulated(table, *order, value(*argument)),
+                None => nothing(),
+            },
+        }
+    }
+
+    /// None of no factors.
+    fn product(&self, factors: &Range<u32>, values: &[N]) -> Option<N> {
+        let mut product: Option<N> = None;
+        for (place, power) in part(&self.factors, factors) {
+            for factor in raised(values[*place as usize].clone(), *power) {
+                product = Some(match product {
+                    None => factor,
+                    Some(product) => product.multiply(&factor),
+                });
+            }
+        }
+        product
+    }
+}
+
+/// A term of a sum; most are of the coefficient 1, which is not multiplied with.
+fn term<N: Number>(place: u32, coefficient: &Rational) -> (u32, Option<N>) {
+    let coefficient = (!coefficient.is_one()).then(|| N::rational(coefficient));
+    (place, coefficient)
+}
