@@ -4,26 +4,22 @@
 //! so that another tool's can be held against them.
 
 mod columns;
-mod greatest;
 mod near;
 mod physical;
+mod scans;
 
 use std::thread;
 
-use lanes::{ALL, Kernel, Level, store, stream};
-use rotor_core::equations::Coefficients;
-use rotor_core::equations::both_widths::along_crack_angle as widths_along_angle;
-use rotor_core::input::INPUTS;
-use rotor_core::quantity::Quantity;
-use rotor_core::study::table::{self, TableError};
+use lanes::{ALL, Kernel, Level, store};
+use rotor_core::study::table::TableError;
+use rotor_core::study::{Collected, ScanError};
 
 use crate::column::{Column, FIRST_INPUT};
-use crate::inputs::{self, BLOCK, PHYSICAL, ROTOR, STREAM};
+use crate::inputs::{self, BLOCK, PHYSICAL, STREAM};
 use columns::{
     widths, widths_block, widths_one_thread, widths_stream, widths_stream_threads,
     widths_two_threads,
 };
-use greatest::{DEPTHS_OF_WHOLE, max_over_phi, max_over_phi_whole};
 pub use near::{NearError, near_columns, near_grid};
 use physical::{physical_columns, physical_gradients, physical_values};
 
@@ -39,9 +35,18 @@ pub enum CaseError {
         /// The depth over the radius.
         depth: f64,
     },
-    /// There is no input or no table of that name.
+    /// There is no table of these columns.
     #[error(transparent)]
     Table(#[from] TableError),
+    /// There is no such scan, or it did not run.
+    #[error(transparent)]
+    Scan(#[from] ScanError),
+    /// There is no input of that name.
+    #[error("there is no input {name}")]
+    Input {
+        /// The name.
+        name: &'static str,
+    },
     /// A thread ended before its work was done.
     #[error("a thread stopped")]
     Thread,
@@ -105,13 +110,13 @@ pub const CASES: [Case; 12] = [
         name: "grid_sigma_phi",
         about: "both widths over a grid of crack depth and angle of the paper's rotor",
         points: |sizes| sizes.grid * sizes.grid,
-        run: grid_sigma_phi,
+        run: scans::grid,
     },
     Case {
         name: "grid_sigma_phi_threads",
         about: "the same on all processors",
         points: |sizes| sizes.grid * sizes.grid,
-        run: grid_sigma_phi_threads,
+        run: scans::grid_threads,
     },
     Case {
         name: "grid_fill",
@@ -123,13 +128,13 @@ pub const CASES: [Case; 12] = [
         name: "max_over_phi",
         about: "the greatest widths over the angle for each crack depth",
         points: |sizes| sizes.max_rows * sizes.max_angles,
-        run: max_over_phi,
+        run: scans::max_over_phi,
     },
     Case {
         name: "max_over_phi_whole",
         about: "the same for fifty times as many depths, 100 000 of them, which the others would take minutes for",
-        points: |sizes| DEPTHS_OF_WHOLE * sizes.max_rows * sizes.max_angles,
-        run: max_over_phi_whole,
+        points: |sizes| scans::DEPTHS_OF_WHOLE * sizes.max_rows * sizes.max_angles,
+        run: scans::max_over_phi_whole,
     },
     Case {
         name: "physical_values",
@@ -164,6 +169,9 @@ pub struct Bench {
     columns: Vec<Column>,
     physical: Vec<Column>,
     results: Vec<Column>,
+    /// What a scan has collected, and whether the last run did.
+    collected: Collected,
+    is_collected: bool,
 }
 
 impl Bench {
@@ -174,16 +182,24 @@ impl Bench {
             columns: inputs::columns(STREAM),
             physical: physical_columns(),
             results: Vec::new(),
+            collected: Collected::new(),
+            is_collected: false,
         }
     }
 
     /// The results of the last run, a column each.
-    pub fn results(&self) -> &[Column] {
-        &self.results
+    pub fn results(&self) -> Vec<&[f64]> {
+        if self.is_collected {
+            let columns =
+                (0..self.collected.quantities().len()).map(|place| self.collected.column(place));
+            return columns.filter_map(|column| column.complete()).collect();
+        }
+        self.results.iter().map(|column| &**column).collect()
     }
 
     /// Results of this many columns and rows, whose memory is kept from run to run.
     fn shaped(&mut self, columns: usize, rows: usize) {
+        self.is_collected = false;
         if self.results.len() != columns
             || self.results.first().is_none_or(|first| first.len() != rows)
         {
@@ -218,44 +234,6 @@ fn on_threads<F: FnOnce() -> Outcome + Send>(
     })
 }
 
-/// The coefficients of [`ROTOR`] with other crack depths, a row each.
-fn coefficients(depths: &[f64]) -> Result<Vec<Coefficients>, CaseError> {
-    const ASKED: [Quantity; 6] = [
-        Quantity::Beta,
-        Quantity::Gamma,
-        Quantity::Delta,
-        Quantity::Epsilon1,
-        Quantity::Epsilon12,
-        Quantity::Epsilon2,
-    ];
-    let column = INPUTS
-        .iter()
-        .find(|input| input.name == "crack_depth_ratio")
-        .map(|input| table::Column {
-            input,
-            values: depths,
-        });
-    let found = table::evaluate(&ROTOR, column.as_slice(), &ASKED)?;
-    let row = |(row, depth): (usize, &f64)| {
-        let number = |quantity| found.column(quantity).get(row);
-        let [beta, gamma, delta, epsilon_1, epsilon_12, epsilon_2] = std::array::from_fn(number);
-        let c = || {
-            Some(Coefficients {
-                beta: beta?,
-                gamma: gamma?,
-                delta: delta?,
-                epsilon_1: epsilon_1?,
-                epsilon_12: epsilon_12?,
-                epsilon_2: epsilon_2?,
-                disk_asymmetry: ROTOR.disk_asymmetry,
-                crack_angle: ROTOR.crack_angle,
-            })
-        };
-        c().ok_or(CaseError::Rotor { depth: *depth })
-    };
-    depths.iter().enumerate().map(row).collect()
-}
-
 /// What the angles alone decide, a list for each of their tables.
 fn tables<A, const TABLES: usize>(angles: &[f64]) -> Result<[Column; TABLES], CaseError>
 where
@@ -266,45 +244,6 @@ where
     let slices = tables.each_mut().map(|table| &mut **table);
     store::<A, ALL, 0, 1, TABLES>(Level::best(), &[], [angles], slices).map_err(columns_error)?;
     Ok(tables)
-}
-
-fn grid_sigma_phi(bench: &mut Bench) -> Outcome {
-    collected(bench, 1)
-}
-
-fn grid_sigma_phi_threads(bench: &mut Bench) -> Outcome {
-    collected(bench, processors())
-}
-
-fn collected(bench: &mut Bench, threads: usize) -> Outcome {
-    let size = bench.sizes.grid;
-    bench.shaped(2, size * size);
-    let [sir, cir] = &mut bench.results[..] else {
-        return Ok(());
-    };
-    collected_grid(size, threads, [sir, cir])
-}
-
-/// Both widths over the whole grid, into memory: the one place that says how this library does it.
-fn collected_grid(size: usize, threads: usize, [sir, cir]: [&mut [f64]; 2]) -> Outcome {
-    use widths_along_angle::{Along, FIXED, Points, TABLES, fixed};
-    let tables = tables::<Along, TABLES>(&inputs::angles(size))?;
-    let tables = tables.each_ref().map(|table| &**table);
-    let rows = coefficients(&inputs::depths(size))?;
-    let share = size.div_ceil(threads);
-    let results = sir
-        .chunks_mut(share * size)
-        .zip(cir.chunks_mut(share * size));
-    let parts = rows.chunks(share).zip(results).map(|(rows, (sir, cir))| {
-        move || {
-            let results = sir.chunks_mut(size).zip(cir.chunks_mut(size));
-            let results = results.map(|(sir, cir)| [sir, cir]);
-            let lines = rows.iter().map(fixed).zip(results);
-            stream::<Points, ALL, FIXED, TABLES, 2>(Level::best(), tables, lines)
-                .map_err(columns_error)
-        }
-    });
-    on_threads(parts)
 }
 
 fn grid_fill(bench: &mut Bench) -> Outcome {

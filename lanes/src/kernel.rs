@@ -7,15 +7,11 @@
     reason = "iterators over arrays are not always inlined, see above"
 )]
 
-use std::ops::Range;
-
 use fearless_simd::Simd;
 use thiserror::Error;
 
-use crate::copies::Copies;
 use crate::level::{self, Body, Level};
 use crate::pack::Pack;
-use crate::stream::{LINE, Stream};
 
 /// A generated body: `RESULTS` numbers of a row, from `FIXED` numbers that all rows share and `ALONG` of its own.
 pub trait Kernel<const FIXED: usize, const ALONG: usize, const RESULTS: usize> {
@@ -150,44 +146,6 @@ where
     Ok(())
 }
 
-/// Evaluates a kernel for the rows of a grid, line after line, and writes past the caches where the level is AVX-512. It
-/// is for grids of more results than the caches hold; what is read soon is better off with [`store`]. The columns are copied,
-/// twice: to where reading them does not wait for stores.
-///
-/// Each line has its fixed numbers and its results, `along` is that of all. For `WANTED` see [`store`].
-///
-/// # Errors
-/// Columns of different lengths; lines before are written.
-pub fn stream<
-    'a,
-    K,
-    const WANTED: u64,
-    const FIXED: usize,
-    const ALONG: usize,
-    const RESULTS: usize,
->(
-    level: Level,
-    along: [&[f64]; ALONG],
-    lines: impl Iterator<Item = ([f64; FIXED], [&'a mut [f64]; RESULTS])>,
-) -> Result<(), LengthError>
-where
-    K: Kernel<FIXED, ALONG, RESULTS>,
-{
-    if !along.iter().any(|column| column.len() >= LONGEST) {
-        for (fixed, results) in lines {
-            store::<K, WANTED, FIXED, ALONG, RESULTS>(level, &fixed, along, results)?;
-        }
-        return Ok(());
-    }
-    let kernel = std::marker::PhantomData::<K>;
-    let lines = Lines::<'_, K, _, WANTED, FIXED, ALONG, RESULTS> {
-        along,
-        lines,
-        kernel,
-    };
-    level::run(level, lines)
-}
-
 /// Evaluates a kernel that has no fixed numbers for every row, on the [best level](Level::best), and writes all results.
 ///
 /// # Errors
@@ -268,65 +226,6 @@ where
             row = (row + length).min(last);
         }
     }
-
-    /// Evaluates all rows but those that are `written`. These are left alone: a line that has gone past the caches would
-    /// come back for an ordinary store.
-    #[inline(always)]
-    fn write_around<S: Simd>(self, simd: S, written: Range<usize>) {
-        let fixed = splats(simd, self.fixed);
-        let length = Pack::<S>::LENGTH;
-        let last = self.rows.saturating_sub(length);
-        let mut next = if written.start > 0 { 0 } else { written.end };
-        while next < self.rows {
-            let row = next.min(last);
-            let part = match row {
-                _ if written.is_empty() => 0..length,
-                _ if row < written.start => 0..written.start - row,
-                _ => written.end - row..length,
-            };
-            let values = K::evaluate(simd, fixed, packs(simd, &self.along, row));
-            for position in 0..RESULTS {
-                if is_wanted(WANTED, position) {
-                    let column = &mut self.results[position][row..row + length];
-                    values[position].store_rows(column, part.clone());
-                }
-            }
-            next = row + length;
-            if written.contains(&next) {
-                next = written.end;
-            }
-        }
-    }
-
-    /// The rows that are lines of the cache in all results, past the caches. The loop has nothing in it but the kernel, so
-    /// that the processor sees far ahead and computes while it waits for memory.
-    #[inline(always)]
-    fn write_lines<S: Simd>(&mut self, simd: S, stream: &Stream) -> Range<usize> {
-        let fixed = splats(simd, self.fixed);
-        let lines = self.results.each_mut().map(|column| stream.lines(column));
-        let mut wanted = (0..RESULTS).filter(|position| is_wanted(WANTED, *position));
-        let of = |position: usize| (lines[position].0, lines[position].1.len());
-        let (first, count) = wanted.next().map_or((0, 0), of);
-        if !wanted.all(|position| of(position) == (first, count)) {
-            return 0..0;
-        }
-        let along = self
-            .along
-            .map(|column| &column[first..].as_chunks::<LINE>().0[..count]);
-        for line in 0..count {
-            let mut inputs = [Pack::splat(simd, 0.0); ALONG];
-            for column in 0..ALONG {
-                inputs[column] = Pack::load(simd, &along[column][line]);
-            }
-            let values = K::evaluate(simd, fixed, inputs);
-            for position in 0..RESULTS {
-                if is_wanted(WANTED, position) {
-                    stream.store(values[position], &mut lines[position].1[line]);
-                }
-            }
-        }
-        first..first + count * LINE
-    }
 }
 
 impl<K, const WANTED: u64, const FIXED: usize, const ALONG: usize, const RESULTS: usize> Body
@@ -339,48 +238,6 @@ where
     #[inline(always)]
     fn run<S: Simd>(self, simd: S) {
         self.write(simd);
-    }
-}
-
-/// The lines of a grid.
-struct Lines<
-    'a,
-    K,
-    I,
-    const WANTED: u64,
-    const FIXED: usize,
-    const ALONG: usize,
-    const RESULTS: usize,
-> {
-    along: [&'a [f64]; ALONG],
-    lines: I,
-    kernel: std::marker::PhantomData<K>,
-}
-
-impl<'a, K, I, const WANTED: u64, const FIXED: usize, const ALONG: usize, const RESULTS: usize> Body
-    for Lines<'_, K, I, WANTED, FIXED, ALONG, RESULTS>
-where
-    K: Kernel<FIXED, ALONG, RESULTS>,
-    I: Iterator<Item = ([f64; FIXED], [&'a mut [f64]; RESULTS])>,
-{
-    type Output = Result<(), LengthError>;
-
-    #[inline(always)]
-    fn run<S: Simd>(self, simd: S) -> Result<(), LengthError> {
-        let stream = Stream::begin(simd);
-        let mut copies: Option<Copies<ALONG>> = None;
-        for (fixed, results) in self.lines {
-            let mut line =
-                Store::<'_, K, WANTED, FIXED, ALONG, RESULTS>::new(&fixed, self.along, results)?;
-            if let Some(place) = (0..RESULTS).find(|place| is_wanted(WANTED, *place)) {
-                let results = &*line.results[place];
-                let copies = copies.get_or_insert_with(|| Copies::of(&self.along, results));
-                line.along = copies.columns(results);
-            }
-            let written = line.write_lines(simd, &stream);
-            line.write_around(simd, written);
-        }
-        Ok(())
     }
 }
 

@@ -1,7 +1,7 @@
 //! The SIMD layer under generated code: one generic body per formula, run at the widest level that the machine has.
 //!
 //! A generated kernel is a [`Kernel`]: straight-line arithmetic over a [`Pack`] of rows, with no loop, no memory and no
-//! level in it. The loops are here: [`store`] writes results to columns, [`stream`] writes a grid past the caches, [`fold`]
+//! level in it. The loops are here: [`store`] writes results to columns, [`fold`]
 //! consumes results where they arise, so that a reduction needs no output array.
 //!
 //! **Invariants**
@@ -9,23 +9,20 @@
 //!   multiplications, divisions and roots in the order in which they are written, nothing of it is contracted to a fused
 //!   multiplication, and sines and cosines are this crate's own ([`Pack::sin`], [`Pack::cos`]). Within
 //!   [`Pack::sqrt_by_multiplication`] multiplications are fused, and what it gives is rounded as any other root.
-//! - The instructions are those of the crate `fearless_simd`, whose tokens prove that the machine has them. `unsafe` are the
-//!   lines of a column and the store to one past the caches, and nothing else.
+//! - The instructions are those of the crate `fearless_simd`, whose tokens prove that the machine has them. There is no `unsafe`.
 
 extern crate self as lanes;
 
 pub mod chain;
-mod copies;
 mod kernel;
 mod level;
 mod pack;
 mod pieces;
 mod root;
-mod stream;
 mod trigonometry;
 
 pub use fearless_simd::Simd;
-pub use kernel::{ALL, Consumer, Kernel, LONGEST, LengthError, fold, rows, store, stream};
+pub use kernel::{ALL, Consumer, Kernel, LONGEST, LengthError, fold, rows, store};
 pub use level::{Level, UnknownLevel};
 pub use pack::Pack;
 pub use pieces::{MOST_PIECES, Pieces};

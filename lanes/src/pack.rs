@@ -1,7 +1,7 @@
 //! A pack of numbers, one of each row, with the operations that generated code does.
 
 use std::fmt;
-use std::ops::{Add, Div, Mul, Neg, Range, Sub};
+use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use fearless_simd::{Select, Simd, SimdBase, SimdFloat};
 
@@ -42,22 +42,6 @@ impl<S: Simd> Pack<S> {
     #[inline(always)]
     pub fn store(self, slice: &mut [f64]) {
         self.numbers.store_slice(slice);
-    }
-
-    /// Writes the numbers of these rows to theirs of a slice of [`LENGTH`](Self::LENGTH).
-    #[inline(always)]
-    pub(crate) fn store_rows(self, slice: &mut [f64], rows: Range<usize>) {
-        if rows == (0..Self::LENGTH) {
-            return self.store(slice);
-        }
-        let mut from = rows.start;
-        // In pieces of known lengths: a call would cost a loop around this its registers.
-        for piece in [4, 2, 1] {
-            if rows.len() & piece != 0 {
-                slice[from..from + piece].copy_from_slice(&self.as_slice()[from..from + piece]);
-                from += piece;
-            }
-        }
     }
 
     /// The numbers, one of each row.

@@ -1,7 +1,7 @@
 //! The loops: results, tails, what is not wanted, consumers, and mismatched columns.
 #![allow(clippy::unwrap_used, reason = "helpers of tests fail by panicking too")]
 
-use lanes::{ALL, Consumer, Kernel, Level, Pack, Simd, fold, store, stream};
+use lanes::{ALL, Consumer, Kernel, Level, Pack, Simd, fold, store};
 
 /// `a·x + y`, and `|x|` beside it.
 struct Line;
@@ -61,37 +61,6 @@ fn every_row_of_every_length_on_every_level() {
 }
 
 #[test]
-fn a_grid_past_the_caches_wherever_it_lies() {
-    for rows in [0, 1, 7, 8, 9, 16, 40, 67] {
-        let [x, y] = columns(rows);
-        // The results lie on lines of the cache, beside them, or each elsewhere.
-        for (level, [left, right]) in Level::available().flat_map(|level| {
-            let places = [[0, 0], [3, 3], [6, 6], [0, 5], [7, 2]];
-            places.map(|place| (level, place))
-        }) {
-            let mut results = [
-                vec![f64::NAN; 3 * rows + left],
-                vec![f64::NAN; 3 * rows + right],
-            ];
-            let [first, second] = &mut results;
-            let first = first[left..].chunks_mut(rows.max(1));
-            let lines = first.zip(second[right..].chunks_mut(rows.max(1)));
-            let factors = [[1.0], [2.0], [-3.0]];
-            let lines = factors.into_iter().zip(lines.map(|(a, b)| [a, b]));
-            stream::<Line, ALL, 1, 2, 2>(level, [&x, &y], lines).unwrap();
-            for (place, [factor]) in factors.iter().enumerate() {
-                for row in 0..rows {
-                    let at = place * rows + row;
-                    assert_eq!(results[0][left + at], factor * x[row] + y[row]);
-                    assert_eq!(results[1][right + at], x[row].abs());
-                }
-            }
-            assert!(results[0][..left].iter().all(|number| number.is_nan()));
-        }
-    }
-}
-
-#[test]
 fn what_is_not_wanted_is_left_alone() {
     // Fewer rows than a pack has, and more.
     for rows in [5, 11] {
@@ -121,10 +90,4 @@ fn a_column_of_another_length_is_refused() {
         error.to_string(),
         "column 1 has 5 rows; it must have 8, as the first one has"
     );
-    let error = stream::<Line, ALL, 1, 2, 2>(
-        level,
-        [&x, &y],
-        [([1.0], [&mut first[..], &mut second[..]])].into_iter(),
-    );
-    assert_eq!(error.unwrap_err().column, 3);
 }

@@ -59,7 +59,7 @@ fn answer(sizes: Sizes) -> Result<(), Box<dyn Error>> {
             }
             ["write", name, file] => {
                 (case(name)?.run)(&mut bench)?;
-                write(Path::new(file), bench.results())?;
+                write(Path::new(file), &bench.results())?;
                 println!("{}", bench.results().len());
             }
             ["points", name] => println!("{}", (case(name)?.points)(&sizes)),

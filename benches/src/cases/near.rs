@@ -1,7 +1,7 @@
 //! Both widths of rotors that are given, as the two forms compute them that are timed: from columns, and over a grid of
 //! rotors and angles. Another program asks for them near zero unstable points, where forms differ in their digits.
 
-use lanes::{ALL, Level, stream};
+use lanes::{ALL, Level, store};
 use rotor_core::equations::Coefficients;
 use rotor_core::equations::both_widths::along_crack_angle as widths_along_angle;
 
@@ -78,7 +78,9 @@ pub fn near_grid(rotors: &[Vec<f64>], angles: &[f64]) -> Result<[Vec<f64>; 2], N
         .chunks_mut(angles.len())
         .zip(cir.chunks_mut(angles.len()))
         .map(|(sir, cir)| [sir, cir]);
-    let lines = (0..count).map(coefficients).zip(results);
-    stream::<Points, ALL, FIXED, TABLES, 2>(Level::best(), along, lines).map_err(columns_error)?;
+    for (fixed, results) in (0..count).map(coefficients).zip(results) {
+        store::<Points, ALL, FIXED, TABLES, 2>(Level::best(), &fixed, along, results)
+            .map_err(columns_error)?;
+    }
     Ok([sir, cir])
 }
