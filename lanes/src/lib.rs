@@ -25,7 +25,9 @@ mod stream;
 mod trigonometry;
 
 pub use fearless_simd::Simd;
-pub use kernel::{ALL, Consumer, Kernel, LONGEST, LengthError, fold, rows, store, stream};
+pub use kernel::{
+    ALL, ColumnLengthError, Consumer, Kernel, LONGEST, LengthError, fold, rows, store, stream,
+};
 pub use level::{Level, UnknownLevel};
 pub use pack::Pack;
 pub use pieces::{MOST_PIECES, Pieces};
