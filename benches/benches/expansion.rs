@@ -176,13 +176,14 @@ fn model(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("expansion of the model");
     group.bench_function("equations", |bencher| {
         bencher.iter_batched(
-            || show::module(equations::SOURCE),
-            |expansion| {
-                expansion.map(|mut expansion| {
+            || show::system(&equations::SOURCES),
+            |system| {
+                let modules = system.into_iter().flat_map(|system| system.modules);
+                modules.for_each(|mut expansion| {
                     expansion.read_all();
                     expansion.generate_all();
-                    black_box(expansion.into_tokens())
-                })
+                    black_box(expansion.into_tokens());
+                });
             },
             BatchSize::PerIteration,
         );

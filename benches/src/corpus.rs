@@ -5,9 +5,9 @@
 
 use codegen::cost::Cost;
 use codegen::emit::scalar::Form;
-use codegen::expand::{Expansion, Generated};
+use codegen::expand::Generated;
 use codegen::parse::module::Function;
-use codegen::show::{self, ShowError};
+use codegen::show::{self, ShowError, System};
 use rotor_core::equations;
 
 #[path = "../corpus/chemistry.rs"]
@@ -22,8 +22,8 @@ pub mod robotics;
 pub struct Field {
     /// The field, which is also the name of its file.
     pub name: &'static str,
-    /// The source text of its module.
-    pub source: &'static str,
+    /// The files of its modules: the path and the text of each.
+    pub sources: &'static [(&'static str, &'static str)],
     /// The formulas taken from it.
     pub formulas: &'static [&'static str],
 }
@@ -32,7 +32,7 @@ pub struct Field {
 pub const FIELDS: [Field; 4] = [
     Field {
         name: "rotor",
-        source: equations::SOURCE,
+        sources: &equations::SOURCES,
         formulas: &[
             "f_n",
             "phi",
@@ -44,7 +44,7 @@ pub const FIELDS: [Field; 4] = [
     },
     Field {
         name: "robotics",
-        source: robotics::SOURCE,
+        sources: &[("robotics.rs", robotics::SOURCE)],
         formulas: &[
             "two_link_position",
             "three_link_pose",
@@ -58,7 +58,7 @@ pub const FIELDS: [Field; 4] = [
     },
     Field {
         name: "chemistry",
-        source: chemistry::SOURCE,
+        sources: &[("chemistry.rs", chemistry::SOURCE)],
         formulas: &[
             "van_der_waals",
             "peng_robinson",
@@ -72,7 +72,7 @@ pub const FIELDS: [Field; 4] = [
     },
     Field {
         name: "geometry",
-        source: geometry::SOURCE,
+        sources: &[("geometry.rs", geometry::SOURCE)],
         formulas: &[
             "heron",
             "circumradius",
@@ -105,19 +105,20 @@ impl Counted {
 }
 
 impl Field {
-    /// Its module, of which nothing is read yet.
+    /// Its modules, of which nothing is read yet.
     ///
     /// # Errors
-    /// See [`show::module`].
-    pub fn expansion(&self) -> Result<Expansion, ShowError> {
-        show::module(self.source)
+    /// See [`show::system`].
+    pub fn system(&self) -> Result<System, ShowError> {
+        show::system(self.sources)
     }
 
     /// One of its formulas, counted.
     ///
     /// # Errors
     /// There is no such formula, or it has mistakes.
-    pub fn counted(&self, expansion: &mut Expansion, name: &str) -> Result<Counted, ShowError> {
+    pub fn counted(&self, system: &mut System, name: &str) -> Result<Counted, ShowError> {
+        let expansion = system.of(name)?;
         // Finds mistakes, and reads the formula.
         show::forms(expansion, name)?;
         let missing = || ShowError::Mistakes(name.to_owned());

@@ -37,8 +37,10 @@ pub fn python_text() -> Result<String, ExportError> {
         String::from("# Written from the Rust sources; see benches/src/python.rs.\n\n\n");
     for field in &FIELDS {
         let _ = writeln!(text, "def {}():", field.name);
-        for line in python::module(field.source)?.lines() {
-            let _ = writeln!(text, "{}{line}", if line.is_empty() { "" } else { "    " });
+        for (_, source) in field.sources {
+            for line in python::module(source)?.lines() {
+                let _ = writeln!(text, "{}{line}", if line.is_empty() { "" } else { "    " });
+            }
         }
         text.push_str("    return locals()\n\n\n");
     }
@@ -61,10 +63,10 @@ pub fn descriptions() -> Result<Value, ExportError> {
 }
 
 fn description(field: &Field, name: &str) -> Result<Value, ExportError> {
-    let mut expansion = field.expansion()?;
-    let counted = field.counted(&mut expansion, name)?;
+    let mut system = field.system()?;
+    let counted = field.counted(&mut system, name)?;
     let no_number = || ExportError::NoNumber(name.to_owned());
-    let formula = expansion.formula(name).ok_or_else(no_number)?;
+    let formula = system.of(name)?.formula(name).ok_or_else(no_number)?;
     let (graph, outputs) = derive(formula, Form::Gradient, &counted.gradient.by);
     let symbols: Vec<_> = graph.symbols().collect();
     let point: Vec<f64> = symbols

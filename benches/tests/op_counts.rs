@@ -50,10 +50,10 @@ fn no_formula_of_the_corpus_takes_more_than_by_other_tools() {
     let mut short = Vec::new();
     let mut formulas = 0;
     for field in &FIELDS {
-        let mut expansion = field.expansion().unwrap();
+        let mut system = field.system().unwrap();
         for name in field.formulas {
             formulas += 1;
-            let counted = field.counted(&mut expansion, name).unwrap();
+            let counted = field.counted(&mut system, name).unwrap();
             for (form, cost) in ["value", "gradient"].into_iter().zip(counted.costs()) {
                 let (weight, all) = (cost.weight(), total(&cost));
                 println!("{name} {form}: {weight} by weight, {all} in total ({cost})");

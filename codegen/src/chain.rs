@@ -1,6 +1,7 @@
-//! The chain of a module: which formulas give what other formulas take, from what nobody gives, the inputs, to every result.
+//! The chain of a module and of those that it links: which formulas give what other formulas take, from what nobody gives, the inputs, to every result.
 //!
-//! A formula takes part where its `#[generate(…)]` says `chain`. A struct that it takes comes from the formulas that give one;
+//! A formula takes part where its `#[generate(…)]` says `chain`; the module whose attribute says `symbolic(chain)` has the
+//! chain. A struct that it takes comes from the formulas that give one;
 //! where there are several they are alternatives, among which whoever runs the chain chooses. What no formula gives is an input.
 //! Each number is a *column*; two formulas that give a result of one name give the same column.
 
@@ -23,8 +24,8 @@ pub struct Member {
     pub structure: Option<String>,
     /// What it gives, in order.
     pub gives: Vec<Given>,
-    /// What its column form costs a row, by [`Cost::weight`](crate::cost::Cost::weight); none without one.
-    pub rows: Option<usize>,
+    /// Whether it has a column form.
+    pub rows: bool,
     /// Its staged forms.
     pub staged: Vec<StagedMember>,
 }
@@ -56,8 +57,6 @@ pub struct StagedMember {
     pub module: String,
     /// The places, among the numbers taken, of those that run along the points.
     pub along: Vec<usize>,
-    /// What it costs for every value of what runs along, and at every point.
-    pub weights: [usize; 2],
 }
 
 /// Which column a number is: the struct that has it, if any, and its name.

@@ -7,13 +7,14 @@ mod derivatives;
 mod fallback;
 mod partial;
 mod stages;
+mod tabulated;
 mod text;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
 use proc_macro2::{Span, TokenStream};
-use quote::{ToTokens, format_ident, quote};
+use quote::{ToTokens, quote};
 use syn::spanned::Spanned;
 use syn::{Item, ItemMod};
 
@@ -21,7 +22,6 @@ use crate::chain::Member;
 use crate::cost::Cost;
 use crate::diagnostics::Diagnostics;
 use crate::emit::columns;
-use crate::emit::namer::table_function;
 use crate::emit::scalar::{self, Form};
 use crate::factor::circuit::Circuit;
 use crate::factor::identities::merge_held;
@@ -30,11 +30,12 @@ use crate::factor::{self, Held};
 use crate::gather::{gather, hold};
 use crate::graph::{ExprId, Graph, Node, Role, SymbolId};
 use crate::latex::Symbols;
-use crate::parse::attributes::of_module::ModuleAttribute;
 use crate::parse::attributes::{Request, Target, root};
 use crate::parse::body::Reader;
+use crate::parse::linking::{Source, Sources};
 use crate::parse::module::{Function, Module};
 use crate::parse::numbers;
+use crate::parse::place::Place;
 use crate::parse::value::Value;
 use crate::rewrite;
 use crate::tables::Tables;
@@ -47,12 +48,13 @@ use text::{as_written, documentation, output_names};
 /// for some. What is wrong comes out as `compile_error!`s at their tokens, all at once, beside everything that is right
 /// and the signatures of what could not be generated.
 ///
-/// `attribute` is what stands in the parentheses of `#[symbolic(…)]`: see [`Symbols`].
+/// `attribute` is what stands in the parentheses of `#[symbolic(…)]`: see [`Symbols`]. The module is by itself: it links no
+/// other one, as it can by [`mod@crate::link`].
 pub fn expand(attribute: TokenStream, item: TokenStream) -> TokenStream {
     const MODULE: &str =
         "the attribute stands at a module of functions: #[symbolic] mod name { … }";
     let mut diagnostics = Diagnostics::default();
-    if let Some(span) = deeper_than(DEEPEST_GROUP, &item) {
+    if let Some(span) = nested_too_deep(&item) {
         let message = format!("groups of tokens are nested deeper than {DEEPEST_GROUP}");
         let hint = "bind what is inside to names with `let`";
         diagnostics.error_with_hint(span, message, hint);
@@ -78,6 +80,11 @@ pub fn expand(attribute: TokenStream, item: TokenStream) -> TokenStream {
             diagnostics.to_tokens()
         }
     }
+}
+
+/// Where groups of tokens are nested deeper than can be read.
+pub(crate) fn nested_too_deep(tokens: &TokenStream) -> Option<Span> {
+    deeper_than(DEEPEST_GROUP, tokens)
 }
 
 /// A function's result over its own symbols.
@@ -168,7 +175,6 @@ pub struct Generated {
 #[derive(Debug)]
 pub struct Expansion {
     module: Module,
-    symbols: Symbols,
     tables: Tables,
     /// What was wrong.
     pub diagnostics: Diagnostics,
@@ -188,6 +194,8 @@ pub struct Expansion {
     chain: Option<TokenStream>,
     /// Whether it was reported that calls go too deep.
     too_deep: bool,
+    /// Whether a formula could not be read for a mistake in a linked module, which reports it.
+    linked_mistake: bool,
     used_tables: BTreeMap<String, TokenStream>,
 }
 
@@ -199,20 +207,25 @@ impl Expansion {
         expansion
     }
 
-    /// Reads a module's attribute and signatures, but no function's body yet.
+    /// Reads a module's attribute and signatures, but no function's body yet. It links no other module: those that its
+    /// attribute names are unknown.
     pub fn unread(attribute: TokenStream, item: ItemMod) -> Self {
+        let source = Source {
+            key: String::new(),
+            attribute,
+            item: item.clone(),
+            places: vec![Place::AROUND],
+        };
         let mut diagnostics = Diagnostics::default();
-        let attribute = ModuleAttribute::read(attribute, &mut diagnostics);
-        let symbols = Symbols::read(&attribute.latex, &mut diagnostics);
-        let mut module = Module::read(item, &mut diagnostics);
-        module.sizes = attribute.sizes;
-        let domain = attribute.domain.into_iter();
-        module.domain = domain
-            .map(|(target, domain)| (target.symbol, domain))
-            .collect();
+        let module = Sources::new(vec![source]).module(0, &mut diagnostics);
+        let module = module.unwrap_or_else(|| Module::read(item, &mut diagnostics));
+        Self::of_module(module, diagnostics)
+    }
+
+    /// A module that was read, with what was wrong in it; no function's body was read yet.
+    pub fn of_module(module: Module, diagnostics: Diagnostics) -> Self {
         Self {
             module,
-            symbols,
             tables: Tables::default(),
             diagnostics,
             formulas: BTreeMap::new(),
@@ -224,6 +237,7 @@ impl Expansion {
             uses_integral: false,
             chain: None,
             too_deep: false,
+            linked_mistake: false,
             used_tables: BTreeMap::new(),
         }
     }
@@ -251,7 +265,7 @@ impl Expansion {
 
     /// How the module's names are written in LaTeX.
     pub fn latex_symbols(&self) -> &Symbols {
-        &self.symbols
+        &self.module.symbols
     }
 
     /// The formula of that name, if it was read and could be.
@@ -287,6 +301,7 @@ impl Expansion {
         if reader.too_deep && std::mem::replace(&mut self.too_deep, true) {
             diagnostics = Diagnostics::default();
         }
+        self.linked_mistake |= reader.linked_mistake;
         self.partials.extend(reader.partials);
         self.uses_integral |= reader.integrals > 0 || function.approximation.is_some();
         self.diagnostics.append(diagnostics);
@@ -342,12 +357,17 @@ impl Expansion {
             if let Some(request) = &function.request {
                 self.requested(function, request, &mut items);
             }
-            let partials: Vec<String> = self
-                .partials
+            let called = self.partials.iter().filter(|(of, _)| *of == name);
+            let mut partials: BTreeSet<String> =
+                called.map(|(_, partial)| partial.clone()).collect();
+            for asked in function
+                .request
                 .iter()
-                .filter(|(of, _)| *of == name)
-                .map(|(_, partial)| partial.clone())
-                .collect();
+                .flat_map(|request| &request.partials)
+            {
+                self.check_partial(function, asked);
+                partials.insert(asked.symbol.clone());
+            }
             for partial in partials {
                 items.push(self.partial(function, &partial));
             }
@@ -355,18 +375,20 @@ impl Expansion {
                 self.forms.insert(name, items);
             }
         }
+        self.lend_tables();
         self.report_collisions();
         self.report_unread();
         self.chain = self.chain_items();
     }
 
-    /// Nothing stands in for generated code without an error.
+    /// Nothing stands in for generated code without an error, be it in a linked module.
     fn report_unread(&mut self) {
         let unread = self.module.functions.iter().find(|function| {
             let name = function.name();
             self.forms.contains_key(&name) && self.formula(&name).is_none()
         });
-        if let Some(function) = unread.filter(|_| self.diagnostics.is_empty()) {
+        let reported = !self.diagnostics.is_empty() || self.linked_mistake;
+        if let Some(function) = unread.filter(|_| !reported) {
             self.diagnostics.error_with_hint(
                 function.item.sig.ident.span(),
                 format!("`{}` was not read", function.name()),
@@ -423,7 +445,10 @@ impl Expansion {
         }
         let of_values = column_forms.iter().find(|form| form.form == Form::Value);
         let rows = of_values.map(|form| form.circuit.cost().weight());
-        self.join_chain(function, request, rows, &staged);
+        if request.chain.is_some() {
+            items.push(crate::emit::chain::weights(rows, &staged));
+            self.join_chain(function, request);
+        }
         if let Some((form, cost)) = richest {
             self.check_budget(function, request, form, cost);
         }
@@ -551,30 +576,14 @@ impl Expansion {
         items
     }
 
-    fn use_tables(&mut self, graph: &Graph, circuit: &Circuit) {
-        for net in circuit.nets() {
-            if let factor::circuit::Operation::Tabulated { table, order, .. } =
-                circuit.operation(net)
-                && let Some(known) = graph.tables.get(*table)
-            {
-                let name = table_function(graph, *table, *order);
-                let summary = match order {
-                    0 => format!("`{}` without its factor.", known.name),
-                    order => format!(
-                        "Derivative of order {order} of `{}` without its factor.",
-                        known.name
-                    ),
-                };
-                let ident = format_ident!("{name}");
-                self.used_tables
-                    .entry(name)
-                    .or_insert_with(|| known.derivative(*order).emit(&ident, &summary));
-            }
-        }
-    }
-
     /// The module with everything generated.
     pub fn into_tokens(self) -> TokenStream {
+        let (item, errors) = self.into_parts();
+        quote!(#item #errors)
+    }
+
+    /// The module with everything generated, and what was wrong.
+    pub fn into_parts(self) -> (ItemMod, TokenStream) {
         let mut item = self.module.item;
         for function in item.content.iter_mut().flat_map(|(_, items)| items) {
             // It may be called through its partials alone.
@@ -622,11 +631,10 @@ impl Expansion {
                 added.push(forms_module(function, items));
             }
         }
-        match &mut item.content {
-            Some((_, items)) => items.extend(added.into_iter().map(syn::Item::Verbatim)),
-            None => return quote!(#item #errors),
+        if let Some((_, items)) = &mut item.content {
+            items.extend(added.into_iter().map(syn::Item::Verbatim));
         }
-        quote!(#item #errors)
+        (item, errors)
     }
 }
 

@@ -7,12 +7,11 @@ mod expression;
 mod piece;
 mod symbols;
 
-use std::rc::Rc;
-
 use syn::visit::Visit;
 use syn::{Expr, Pat, Stmt, Type};
 
 use crate::parse::module::{Function, Module};
+use crate::parse::names::Callee;
 use expression::{Names, Writer};
 pub use symbols::Symbols;
 
@@ -49,14 +48,16 @@ pub fn in_full(module: &Module, symbols: &Symbols, function: &Function) -> syn::
         .collect();
     rows.push("&\\text{where}".to_owned());
     let mut next = 0;
-    while let Some(definition) = needed.get(next).cloned() {
-        rows.extend(lines(module, symbols, &definition)?.iter().map(Line::text));
-        for further in called(module, &definition) {
-            let known = needed.iter().map(Rc::as_ref).chain([function]);
-            if known
-                .into_iter()
-                .all(|known| known.name() != further.name())
-            {
+    while let Some(definition) = needed.get(next).copied() {
+        let Callee {
+            home,
+            function: other,
+        } = definition;
+        rows.extend(lines(home, symbols, other)?.iter().map(Line::text));
+        for further in called(home, other) {
+            let first =
+                further.home.key == module.key && further.function.name() == function.name();
+            if !first && !needed.iter().any(|known| known.is(&further)) {
                 needed.push(further);
             }
         }
@@ -65,8 +66,8 @@ pub fn in_full(module: &Module, symbols: &Symbols, function: &Function) -> syn::
     Ok(aligned(rows.into_iter()))
 }
 
-/// The formulas of the module that a formula calls, each once, in the order of their first calls.
-fn called(module: &Module, function: &Function) -> Vec<Rc<Function>> {
+/// The formulas that a formula calls, each once, in the order of their first calls.
+fn called<'m>(module: &'m Module, function: &Function) -> Vec<Callee<'m>> {
     let mut calls = Calls {
         module,
         found: Vec::new(),
@@ -75,23 +76,18 @@ fn called(module: &Module, function: &Function) -> Vec<Rc<Function>> {
     calls.found
 }
 
-struct Calls<'a> {
-    module: &'a Module,
-    found: Vec<Rc<Function>>,
+struct Calls<'m> {
+    module: &'m Module,
+    found: Vec<Callee<'m>>,
 }
 
 impl<'ast> Visit<'ast> for Calls<'_> {
     fn visit_expr_call(&mut self, call: &'ast syn::ExprCall) {
-        // The first segment also of a partial, `f::d_x(…)`.
-        let called = match call.func.as_ref() {
-            Expr::Path(path) => path.path.segments.first(),
-            _ => None,
-        }
-        .and_then(|name| self.module.function(&name.ident.to_string()));
-        if let Some(called) = called
-            && self.found.iter().all(|known| known.name() != called.name())
+        if let Expr::Path(path) = call.func.as_ref()
+            && let Some((callee, _)) = self.module.callee(&path.path)
+            && !self.found.iter().any(|known| known.is(&callee))
         {
-            self.found.push(Rc::clone(called));
+            self.found.push(callee);
         }
         syn::visit::visit_expr_call(self, call);
     }

@@ -17,7 +17,7 @@
 //! | methods | `powi(n)`, `sqrt`, `sin`, `cos`, `tan`, `exp`, `ln`, `abs`, `signum`, `recip`, `mul_add` (rounded once), `min`, `max` |
 //! | access | `c.field`, `a[0]`, `pair.0` |
 //! | structs | `Name { field: x }`, `Name { field: x, ..*c }` |
-//! | calls | of other formulas of the module; `f::d_x(…)`, `f::d_x_y(…)` of their partials |
+//! | calls | of other formulas of the module and of those that it links; `f::d_x(…)`, `f::d_x_y(…)` of their partials |
 //! | integrals | `integral(\|t\| …, a..b)`, in functions that are tabulated |
 //!
 //! There are no branches, loops or assignments: a case is a formula of its own, and its caller chooses. Whatever else is
@@ -28,8 +28,8 @@
 //! Attributes of a function say what is wanted: `#[generate(value, gradient(x, c.y), hessian(x, c.y), columns, stage(c.y),
 //! budget(operations = 96))]`, `#[domain(x > 0.0)]`, `#[specialise(name, x = y, generate(…))]`,
 //! `#[approximate(x = 0.0..=1.0, factor = x.powi(2), tolerance = 1e-13)]`; see [`parse::attributes`]. The module's own
-//! attribute may say how large its numbers are and where they lie, `symbolic(sizes = 1e-9..=1e9, domain(c.beta <= 2.0))`, and
-//! hold a table of symbols for [`latex`].
+//! attribute may say how large its numbers are and where they lie, `symbolic(sizes = 1e-9..=1e9, domain(c.beta <= 2.0))`,
+//! hold a table of symbols for [`latex`], and link other modules, `symbolic(with(super::stiffness))`.
 //!
 //! What is derived by, has a domain or is replaced is a number `x`, a field `c.y` or an element `a[0]`; whole parameters may
 //! be replaced, too. Without a list, partials are by every number that the function's source names, also through the
@@ -37,11 +37,63 @@
 //! form asked for, the last of value, gradient and Hessian; partials that other formulas call are not in it. A partial's
 //! name must have one meaning: beside parameters `x`, `y` and `x_y` there is no `d_x_y`.
 //!
+//! # Formulas in several files
+//!
+//! A module calls formulas of the modules that it links, and uses their constants and structs:
+//!
+//! ```text
+//! // frequency.rs
+//! pub use formulas::*;
+//!
+//! #[symbolic(with(super::conventions))]
+//! mod formulas {
+//!     #[generate(gradient(omega), d_omega)]
+//!     pub fn f_n(omega: f64) -> f64 { … }
+//! }
+//!
+//! // width.rs
+//! pub use formulas::*;
+//!
+//! #[symbolic(with(super::frequency))]
+//! mod formulas {
+//!     use super::super::frequency::*;
+//!
+//!     pub fn width(omega: f64) -> f64 { 1.0 / f_n::d_omega(omega) }
+//! }
+//! ```
+//!
+//! A path in `with(…)` is that of a module of formulas, or of the module around it that has all its items as its own by
+//! `use formulas::*`, which every file of formulas wants to have: an attribute can't stand at a `mod name;` itself. It starts
+//! where the attribute stands, outside the module, or at the crate. What a linked module links is known, too.
+//!
+//! **Names** are those of the compiler, which checks the functions as written: by `use` of a name, of all names or of a
+//! module, and by path. Paths in the module start as the one in `with(…)` does: what is linked from `super` is not found from
+//! `crate`. Of two names that are imported whole neither is taken. What only the module around says is not seen: import inside.
+//!
+//! **Settings.** `sizes`, and the domain of each name, are those that the module states; where it does not, those of the modules
+//! that it links, which these may have from others. Two that say different things are a mistake at the second's path: state it.
+//! A symbol of [`latex`] is that of the first that has one. They hold for what is generated in the module, whatever
+//! formulas it calls.
+//!
+//! **Partials** that another module calls are asked for by name where the formula stands, `#[generate(d_omega)]`; within a
+//! module they need not be.
+//!
+//! **Tables.** Where a linked module has the table of a function that it generates value or gradient of, its table is called; for
+//! packs, if the module has columns or stages itself. Otherwise the module makes it anew.
+//!
+//! **The chain** of all formulas that ask for `chain`, of a module and of those that it links, is in the module whose attribute
+//! says `symbolic(chain)`; it imports the structs that the formulas give.
+//!
+//! A circle of modules is refused, as is a private function by the compiler. A mistake in a linked module is reported
+//! there and nowhere else. [`link`] says how it works: by a macro in each module, so that modules are of one crate, stand in
+//! modules and not in functions, and some sixty of them may be linked under the compiler's usual `recursion_limit`. A
+//! file of formulas has another name than every function that forms are generated of: both are modules to the compiler.
+//!
 //! # What comes out
 //!
 //! The module as written, so that the compiler checks it and tests compare with it, and beside the function `f` a module
 //! `f` with the generated functions `value`, `gradient`, `hessian`, `columns`, `gradient_columns` and partials `d_x`, each
-//! documented with its count of operations. `stage(c.y)` gives a module `along_y`: a function `fixed` of what does not
+//! documented with its count of operations, partials that other modules call among them. `stage(c.y)` gives a module `along_y`: a function `fixed` of what does not
 //! depend on `c.y`, and the bodies `Along` and `Points` of two loops, for tables over the values of `c.y` and for the
 //! points. Columns and stages run on the crate `lanes`, which the crate of the formulas depends on. What is made from a
 //! function under `#[cfg(…)]` is under it, too.
@@ -132,6 +184,7 @@
 //!
 //! | | |
 //! |---|---|
+//! | [`link`] | the tokens of the modules that a module links, where it links others |
 //! | [`parse`] | source to functions, attributes, and values over a graph as written; all checks of what an author writes |
 //! | [`graph`] | the graph, as written and in its canonical form, and what is known of signs |
 //! | [`gather`] | from the graph as written to the canonical one |
@@ -161,6 +214,7 @@ pub mod gather;
 pub mod graph;
 pub mod interpret;
 pub mod latex;
+pub mod link;
 mod parallel;
 pub mod parse;
 pub mod rewrite;

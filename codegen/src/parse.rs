@@ -2,15 +2,19 @@
 //!
 //! [`module`] reads the items of a module and [`attributes`] what is asked of each function; [`body`] follows a
 //! function's statements with symbols in place of numbers. All three report what they can't take at its own token and
-//! go on.
+//! go on. [`linking`] reads modules that link each other, [`names`] finds what a path in one of them stands for.
 
 pub mod attributes;
 pub mod body;
 mod cycles;
 pub mod imports;
+pub mod linking;
 pub mod literal;
 pub mod module;
+pub mod names;
 pub(crate) mod numbers;
+pub mod place;
+mod settings;
 mod signature;
 mod specialise;
 pub mod value;

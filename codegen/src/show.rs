@@ -1,4 +1,4 @@
-//! A formula to look at: the code generated from it, its LaTeX, its graph.
+//! A formula to look at, of a module or of several that link each other: the code generated from it, its LaTeX, its graph.
 
 use std::rc::Rc;
 
@@ -6,11 +6,13 @@ use proc_macro2::TokenStream;
 use syn::{Attribute, Item, ItemMod, Meta};
 
 use crate::cost::Cost;
-use crate::diagnostics::nearest;
+use crate::diagnostics::{Diagnostics, nearest};
 use crate::emit::scalar::Form;
 use crate::expand::{Expansion, Formula, Generated};
 use crate::parse::attributes::Request;
+use crate::parse::linking::{Source, Sources};
 use crate::parse::module::Function;
+use crate::parse::place::Place;
 use crate::{dot, emit, latex};
 
 /// Why there is nothing to show.
@@ -68,6 +70,93 @@ pub fn module(source: &str) -> Result<Expansion, ShowError> {
     let (attribute, item) = modules.find_map(symbolic).ok_or(ShowError::NoModule)?;
     // The code that is shown calls its tables, but does not hold them.
     Ok(Expansion::unread(attribute, item).with_sketched_tables())
+}
+
+/// The modules of several files, which link each other: each file with its path below the crate's source, and its text.
+/// Formulas are read as they are asked for.
+///
+/// # Errors
+/// A file is no Rust, or none has such a module.
+pub fn system(files: &[(&str, &str)]) -> Result<System, ShowError> {
+    let mut sources = Vec::new();
+    for (path, text) in files {
+        let file =
+            syn::parse_file(text).map_err(|error| ShowError::Syntax(format!("{path}: {error}")))?;
+        let place = place_of(path);
+        let items = file.items.into_iter().filter_map(|item| match item {
+            Item::Mod(item) => symbolic(item),
+            _ => None,
+        });
+        let mut found: Vec<Source> = items
+            .map(|(attribute, item)| Source {
+                key: format!("{path}: {}", item.ident),
+                attribute,
+                places: vec![place.child(&item.ident.to_string())],
+                item,
+            })
+            .collect();
+        // What is alone in its file is found by the file, which has its items as its own.
+        if let [alone] = found.as_mut_slice() {
+            alone.places.insert(0, place);
+        }
+        sources.extend(found);
+    }
+    if sources.is_empty() {
+        return Err(ShowError::NoModule);
+    }
+    let count = sources.len();
+    let mut sources = Sources::new(sources);
+    let modules = (0..count).filter_map(|position| {
+        let mut diagnostics = Diagnostics::default();
+        let module = sources.module(position, &mut diagnostics)?;
+        Some(Expansion::of_module(module, diagnostics).with_sketched_tables())
+    });
+    let modules = modules.collect();
+    Ok(System { modules })
+}
+
+/// The module that a file is: `a/b.rs` and `a/b/mod.rs` are `crate::a::b`.
+fn place_of(path: &str) -> Place {
+    let path = path.strip_suffix(".rs").unwrap_or(path);
+    let mut names: Vec<String> = path.split('/').map(ToOwned::to_owned).collect();
+    let root = names.len() == 1;
+    let own = names.last().map(String::as_str);
+    if own == Some("mod") || (root && matches!(own, Some("lib" | "main"))) {
+        names.pop();
+    }
+    Place::in_crate(names)
+}
+
+/// Modules of formulas that link each other.
+#[derive(Debug)]
+pub struct System {
+    /// The modules in the order of their files.
+    pub modules: Vec<Expansion>,
+}
+
+impl System {
+    /// The names of all formulas, in the order of the files.
+    pub fn names(&self) -> Vec<String> {
+        let modules = self.modules.iter();
+        modules.flat_map(Expansion::function_names).collect()
+    }
+
+    /// The module that has the formula of that name: the first, if several have one.
+    ///
+    /// # Errors
+    /// There is no such formula.
+    pub fn of(&mut self, name: &str) -> Result<&mut Expansion, ShowError> {
+        let known = self.names();
+        let mut modules = self.modules.iter_mut();
+        modules
+            .find(|module| module.module().function(name).is_some())
+            .ok_or_else(|| unknown(name, known))
+    }
+
+    /// All formulas in the order of the files.
+    pub fn list(&mut self) -> Vec<Summary> {
+        self.modules.iter_mut().flat_map(list).collect()
+    }
 }
 
 /// The tokens in the attribute `symbolic(…)` and the module without it, where it has one.
@@ -204,15 +293,17 @@ pub fn forms(expansion: &mut Expansion, name: &str) -> Result<Vec<Generated>, Sh
 }
 
 fn function(expansion: &Expansion, name: &str) -> Result<Rc<Function>, ShowError> {
-    expansion.module().function(name).cloned().ok_or_else(|| {
-        let known = expansion.function_names();
-        let nearest = nearest(name, known.iter().map(String::as_str)).map(ToOwned::to_owned);
-        ShowError::Unknown {
-            name: name.to_owned(),
-            nearest,
-            known,
-        }
-    })
+    let function = expansion.module().function(name).cloned();
+    function.ok_or_else(|| unknown(name, expansion.function_names()))
+}
+
+fn unknown(name: &str, known: Vec<String>) -> ShowError {
+    let nearest = nearest(name, known.iter().map(String::as_str)).map(ToOwned::to_owned);
+    ShowError::Unknown {
+        name: name.to_owned(),
+        nearest,
+        known,
+    }
 }
 
 fn value(expansion: &mut Expansion, function: &Function) -> Result<Generated, ShowError> {
@@ -241,81 +332,4 @@ fn mistakes(expansion: &Expansion, name: &str) -> ShowError {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    const SOURCE: &str = "
-        #[symbolic(sizes = 1e-9..=1e9)]
-        mod m {
-            /// Length of an arc of the sine
-            /// from 0.
-            ///
-            /// More.
-            #[approximate(x = 0.0..=2.0, factor = x, tolerance = 1e-11)]
-            pub fn arc(x: f64) -> f64 { integral(|t| (1.0 + t.cos().powi(2)).sqrt(), 0.0..x) }
-
-            /// Calls [`arc`].
-            #[domain(x > 0.0)]
-            #[generate(value, gradient(x, y))]
-            pub fn f(x: f64, y: f64) -> f64 { y * arc(x).powi(2).sqrt() }
-
-            pub fn untabulated(x: f64) -> f64 { integral(|t| t * t, 0.0..x) }
-        }";
-
-    #[test]
-    fn sketched_tables_change_no_code() {
-        let file = syn::parse_file(SOURCE).unwrap();
-        let (attribute, item) = file
-            .items
-            .into_iter()
-            .find_map(|item| match item {
-                Item::Mod(item) => symbolic(item),
-                _ => None,
-            })
-            .unwrap();
-        let mut fitted = Expansion::unread(attribute, item);
-        let mut sketched = module(SOURCE).unwrap();
-        let code = rust(&mut sketched, "f").unwrap();
-        assert_eq!(code, rust(&mut fitted, "f").unwrap());
-        // The table's sign is known, so that the root is gone.
-        assert!(
-            code.contains("arc_table") && !code.contains("sqrt()"),
-            "{code}"
-        );
-    }
-
-    #[test]
-    fn a_list_tells_what_each_formula_is() {
-        let list = list(&mut module(SOURCE).unwrap());
-        let about: Vec<_> = list
-            .iter()
-            .map(|formula| (formula.name.as_str(), formula.about.as_str()))
-            .collect();
-        let expected = [
-            ("arc", "Length of an arc of the sine from 0."),
-            ("f", "Calls `arc`."),
-            ("untabulated", ""),
-        ];
-        assert_eq!(about, expected);
-        assert_eq!(
-            list.iter()
-                .map(|formula| formula.cost.is_some())
-                .collect::<Vec<_>>(),
-            [true, true, false]
-        );
-    }
-
-    #[test]
-    fn what_cannot_be_shown_is_told() {
-        assert!(matches!(module("mod m {}"), Err(ShowError::NoModule)));
-        assert!(matches!(module("mod {"), Err(ShowError::Syntax(_))));
-        let mut read = module(SOURCE).unwrap();
-        let error = rust(&mut read, "untabulated").unwrap_err().to_string();
-        assert!(error.contains("integral without a table"), "{error}");
-        let error = graph(&mut read, "g").unwrap_err().to_string();
-        assert!(
-            error.contains("no formula `g`") && error.contains("did you mean `f`?"),
-            "{error}"
-        );
-    }
-}
+mod tests;

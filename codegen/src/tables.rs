@@ -10,6 +10,7 @@ use crate::interpret::{EvaluateError, Integrator, describe};
 use crate::parse::attributes::Approximation;
 use crate::parse::body::Reader;
 use crate::parse::module::{Function, Module};
+use crate::parse::place::Place;
 use crate::parse::value::Value;
 
 /// Share of a fit's tolerance that the quadrature behind it may use up.
@@ -18,10 +19,15 @@ const QUADRATURE_SHARE: f64 = 0.05;
 /// The tolerance of a sketched fit: enough for the function's sign.
 const SKETCH: f64 = 1e-3;
 
-/// The tabulated functions of one module.
+/// What tells a table: for which module it is read, and the module and the name of its function.
+type Key = [String; 3];
+
+/// The tabulated functions of one module, and those that it calls of modules that it links.
 #[derive(Debug, Default)]
 pub struct Tables {
-    known: BTreeMap<String, Option<Table>>,
+    known: BTreeMap<Key, Option<Table>>,
+    /// By the names of tables: those that another module has.
+    lent: BTreeMap<String, Lent>,
     sketched: bool,
     /// Why a table could not be made.
     pub diagnostics: Diagnostics,
@@ -37,21 +43,74 @@ impl Tables {
         }
     }
 
-    /// The table of an approximated function. None where it could not be made, which is then reported.
+    /// The table of an approximated function of the module `home`, which is read for another one or itself. None where it
+    /// could not be made, which is then reported, for a linked module by that module itself.
     pub fn get(
         &mut self,
-        module: &Module,
+        reading: &Module,
+        home: &Module,
         function: &Function,
         approximation: &Approximation,
     ) -> Option<&Table> {
-        let name = function.name();
-        if !self.known.contains_key(&name) {
+        let key = [reading.key.clone(), home.key.clone(), function.name()];
+        if !self.known.contains_key(&key) {
             // Entered first, so that a function whose integrand needs its own table ends here.
-            self.known.insert(name.clone(), None);
-            let table = self.fit(module, function, approximation);
-            self.known.insert(name.clone(), table);
+            self.known.insert(key.clone(), None);
+            let table = if reading.key == home.key {
+                self.fit(home, function, approximation, self.sketched)
+            } else {
+                self.borrow(reading, home, function, approximation)
+            };
+            self.known.insert(key.clone(), table);
         }
-        self.known.get(&name)?.as_ref()
+        self.known.get(&key)?.as_ref()
+    }
+
+    /// The table of a linked module's function, sketched: the module has it in full.
+    fn borrow(
+        &mut self,
+        reading: &Module,
+        home: &Module,
+        function: &Function,
+        approximation: &Approximation,
+    ) -> Option<Table> {
+        let before = self.diagnostics.len();
+        let table = self.fit(home, function, approximation, true);
+        self.diagnostics.split_off(before);
+        let mut table = table?;
+        let mut at = reading.linked.iter();
+        let place = at
+            .find(|linked| linked.module.key == home.key)?
+            .place
+            .clone();
+        let taken = |name: &str| reading.function(name).is_some() || self.lent.contains_key(name);
+        if taken(&table.name) {
+            table.name = format!("{}_{}", place.last().unwrap_or("linked"), table.name);
+            while taken(&table.name) {
+                table.name.push('_');
+            }
+        }
+        let function = function.name();
+        self.lent
+            .insert(table.name.clone(), Lent { place, function });
+        Some(table)
+    }
+
+    /// Which function of which linked module a table is of, where it is of one.
+    pub fn lent(&self, table: &str) -> Option<&Lent> {
+        self.lent.get(table)
+    }
+
+    /// A linked module's table, fitted to all its digits.
+    pub fn in_full(&mut self, reading: &Module, table: &Table) -> Table {
+        let fitted = self.lent.get(&table.name).cloned().and_then(|lent| {
+            let home = lent.home(reading)?;
+            let function = home.function(&lent.function)?;
+            let approximation = function.approximation.as_ref()?;
+            self.fit(home, function, approximation, self.sketched)
+        });
+        let name = table.name.clone();
+        fitted.map_or_else(|| table.clone(), |fitted| Table { name, ..fitted })
     }
 
     fn fit(
@@ -59,6 +118,7 @@ impl Tables {
         module: &Module,
         function: &Function,
         approximation: &Approximation,
+        sketched: bool,
     ) -> Option<Table> {
         let mut reader = Reader::new(module, self);
         let body = reader.read_body(function);
@@ -80,7 +140,7 @@ impl Tables {
         };
         let factor = factor?;
         let symbol = graph.find_symbol(&approximation.variable.to_string())?;
-        let tolerance = if self.sketched {
+        let tolerance = if sketched {
             SKETCH.max(approximation.tolerance)
         } else {
             approximation.tolerance
@@ -120,6 +180,41 @@ impl Tables {
             }
         }
     }
+}
+
+/// A table that another module has.
+#[derive(Clone, Debug)]
+pub struct Lent {
+    /// Where the module is.
+    pub place: Place,
+    /// The approximated function.
+    pub function: String,
+}
+
+impl Lent {
+    /// The module that has it.
+    fn home<'m>(&self, reading: &'m Module) -> Option<&'m Module> {
+        let mut linked = reading.linked.iter();
+        let linked = linked.find(|linked| linked.place == self.place)?;
+        Some(&linked.module)
+    }
+
+    /// Whether the module has the table's derivative of that order for others, for packs if that is asked.
+    pub fn has(&self, reading: &Module, order: usize, in_packs: bool) -> bool {
+        self.home(reading).is_some_and(|home| {
+            let function = home.function(&self.function);
+            let most = function.and_then(|function| orders_for_others(function));
+            most.is_some_and(|most| order <= most) && (!in_packs || home.runs_on_lanes())
+        })
+    }
+}
+
+/// The highest derivative of a function's table that its module has for others: what its own forms take.
+pub fn orders_for_others(function: &Function) -> Option<usize> {
+    let request = function.request.as_ref()?;
+    function.approximation.as_ref()?;
+    let (gradient, hessian) = (request.gradient.is_some(), request.hessian.is_some());
+    Some(usize::from(gradient).max(2 * usize::from(hessian)))
 }
 
 /// Evaluators of a graph for as many threads as ask for one.

@@ -46,6 +46,35 @@ pub struct LengthError {
     pub expected: usize,
 }
 
+/// A column that is not as long as the results: [`LengthError`] with the column's name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[error("column {column} has {length} rows; it must have {expected}, as the results have")]
+pub struct ColumnLengthError {
+    /// The column.
+    pub column: &'static str,
+    /// Its length.
+    pub length: usize,
+    /// The length of the first result.
+    pub expected: usize,
+}
+
+impl ColumnLengthError {
+    /// The error with the name that the column at its place has.
+    pub fn of(error: LengthError, columns: &[&'static str]) -> Self {
+        let LengthError {
+            column,
+            length,
+            expected,
+        } = error;
+        let column = columns.get(column).copied().unwrap_or_default();
+        Self {
+            column,
+            length,
+            expected,
+        }
+    }
+}
+
 fn check<'a>(
     lengths: impl Iterator<Item = (usize, usize)> + 'a,
     expected: usize,

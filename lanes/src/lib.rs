@@ -22,7 +22,9 @@ mod root;
 mod trigonometry;
 
 pub use fearless_simd::Simd;
-pub use kernel::{ALL, Consumer, Kernel, LONGEST, LengthError, fold, rows, store};
+pub use kernel::{
+    ALL, ColumnLengthError, Consumer, Kernel, LONGEST, LengthError, fold, rows, store,
+};
 pub use level::{Level, UnknownLevel};
 pub use pack::Pack;
 pub use pieces::{MOST_PIECES, Pieces};

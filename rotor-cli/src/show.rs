@@ -6,7 +6,7 @@ use std::fmt::Write;
 
 use codegen::expand::Expansion;
 use codegen::show::{self, ShowError, Summary};
-use rotor_core::equations::SOURCE;
+use rotor_core::equations::SOURCES;
 use rotor_core::quantity::{Quantity, Subject};
 
 use crate::failure::Failure;
@@ -32,12 +32,12 @@ pub(crate) enum Form {
 /// Where no equation has this name.
 pub(crate) fn run(name: Option<&str>, form: Form) -> Result<String, Failure> {
     let told = |error: ShowError| Failure::input(error.to_string());
-    let mut expansion = show::module(SOURCE).map_err(told)?;
+    let mut system = show::system(&SOURCES).map_err(told)?;
     let Some(name) = name else {
-        return Ok(list(&show::list(&mut expansion)));
+        return Ok(list(&system.list()));
     };
     let name = name.to_lowercase();
-    let known = expansion.function_names().contains(&name);
+    let known = system.names().contains(&name);
     let name = match Quantity::ALL
         .into_iter()
         .find(|result| result.name() == name)
@@ -45,7 +45,8 @@ pub(crate) fn run(name: Option<&str>, form: Form) -> Result<String, Failure> {
         Some(result) if !known => formula_of(result)?,
         _ => &name,
     };
-    equation(&mut expansion, name, form).map_err(told)
+    let expansion = system.of(name).map_err(told)?;
+    equation(expansion, name, form).map_err(told)
 }
 
 /// The formula that gives a result which is not a formula itself; it is said on stderr.

@@ -16,6 +16,7 @@ use proc_macro::TokenStream;
 /// | `gradient(x, c.y)` | `f::gradient(…) -> (value, [f64; 2])`; without a list by every number that `f` names |
 /// | `hessian(x, c.y)` | `f::hessian(…) -> (value, [f64; 2], [[f64; 2]; 2])` |
 /// | `columns` | `f::columns(&f::Columns { … }, [&mut …])`, and `f::gradient_columns` where there is a gradient |
+/// | `d_x`, `d_x_y` | `f::d_x(…)`, a partial that formulas of other modules call |
 /// | `budget(operations = 96, div = 1)` | nothing: more than that in the richest form asked for is a compile error |
 ///
 /// Formulas call each other, and each other's partials as `f::d_x(…)`, `f::d_x_y(…)`. Further attributes:
@@ -26,7 +27,9 @@ use proc_macro::TokenStream;
 ///   one written as `integral(|t| …, a..b)`, when the crate is built.
 ///
 /// At the module, `#[symbolic(sizes = 1e-9..=1e9, domain(c.beta <= 2.0), latex(omega_bar = "\\varpi"))]` says how large its
-/// numbers are, where those of some names lie, and how names are typeset by tools that show formulas. By default a generated
+/// numbers are, where those of some names lie, and how names are typeset by tools that show formulas. By
+/// `#[symbolic(with(super::stiffness))]` it calls the formulas of another module, which may be in another file: see
+/// [`codegen`]. By default a generated
 /// form is as right as the function as written for every `f64`, and takes the more operations for it.
 ///
 /// # Example
@@ -61,5 +64,12 @@ use proc_macro::TokenStream;
 /// ```
 #[proc_macro_attribute]
 pub fn symbolic(attribute: TokenStream, item: TokenStream) -> TokenStream {
-    codegen::expand(attribute.into(), item.into()).into()
+    codegen::link::attribute(attribute.into(), item.into()).into()
+}
+
+/// Called by the modules that [`macro@symbolic`] makes, to hand their tokens on to those that link them.
+#[doc(hidden)]
+#[proc_macro]
+pub fn __linked(tokens: TokenStream) -> TokenStream {
+    codegen::link::linked(tokens.into()).into()
 }

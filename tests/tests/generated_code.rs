@@ -10,11 +10,11 @@ use rotor_core::equations;
 
 #[test]
 fn the_main_formulas_take_as_many_operations_as_ever() {
-    let mut expansion = show::module(equations::SOURCE).unwrap();
+    let mut system = show::system(&equations::SOURCES).unwrap();
     let counts: String = ["phi", "phi_on_sir", "sir_width", "cir_width"]
         .into_iter()
         .flat_map(|name| {
-            show::forms(&mut expansion, name)
+            show::forms(system.of(name).unwrap(), name)
                 .unwrap()
                 .into_iter()
                 .map(move |form| (name, form))
@@ -46,16 +46,16 @@ const LONG: [&str; 3] = [
 
 #[test]
 fn it_is_formatted_as_rustfmt_does() {
-    let mut module = show::module(equations::SOURCE).unwrap();
-    let names: Vec<String> = module
-        .function_names()
+    let mut system = show::system(&equations::SOURCES).unwrap();
+    let names: Vec<String> = system
+        .names()
         .into_iter()
         .filter(|name| !LONG.contains(&name.as_str()))
         .collect();
     let mut shown = 0;
     for name in names {
         // What holds an integral has no code.
-        let Ok(text) = show::rust(&mut module, &name) else {
+        let Ok(text) = show::rust(system.of(&name).unwrap(), &name) else {
             continue;
         };
         shown += 1;

@@ -16,6 +16,7 @@ use codegen::expand::{Expansion, derive};
 use codegen::graph::{Function, NamedConstant, Rational, SymbolId, Table};
 use codegen::interpret::{Number, evaluate};
 use codegen::parse::body::Reader;
+use codegen::show::System;
 use codegen::tables::Tables;
 use rotor_core::equations::{self, Coefficients};
 
@@ -199,9 +200,8 @@ fn input(name: &str, c: &Coefficients) -> f64 {
     }
 }
 
-fn formulas() -> Expansion {
-    codegen::show::module(include_str!("../../rotor-core/src/equations.rs"))
-        .expect("the module of formulas")
+fn formulas() -> System {
+    codegen::show::system(&rotor_core::equations::SOURCES).expect("the modules of formulas")
 }
 
 /// A formula as written, moved from a point along some of its inputs.
@@ -265,7 +265,8 @@ fn assert_close(value: &Precise, expected: &Precise, tolerance: &str, what: &str
 /// Checks the graphs of a formula's derivatives, and gives the numbers that compiled code must give: the value, the
 /// first partials, the upper triangle of the second.
 fn checked(name: &str, form: Form, by: &[&str], c: Coefficients) -> Vec<Precise> {
-    let mut expansion = formulas();
+    let mut system = formulas();
+    let expansion = system.of(name).expect("a formula of that name");
     expansion.read_only(name);
     let formula = expansion.formula(name).expect("a formula without mistakes");
     let mut symbols: Vec<SymbolId> = by
@@ -286,11 +287,7 @@ fn checked(name: &str, form: Form, by: &[&str], c: Coefficients) -> Vec<Precise>
         .collect();
     let values = evaluate(&graph, &outputs.all(), &inputs).expect("values of the graph");
 
-    let written = AsWritten {
-        expansion: &expansion,
-        name,
-        c,
-    };
+    let written = AsWritten { expansion, name, c };
     let h = Precise::decimal(STEP);
     let names: Vec<&str> = symbols
         .iter()

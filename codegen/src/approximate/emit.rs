@@ -12,7 +12,7 @@ use crate::emit::literal::float;
 const MOST_CHOSEN: usize = 16;
 
 impl PiecewisePolynomial {
-    /// The function `fn name(x: f64) -> f64` with the same bits as
+    /// The function `fn name(x: f64) -> f64`, which is seen as stated, with the same bits as
     /// [`evaluate`](Self::evaluate).
     ///
     /// `summary` is the first line of its documentation; interval, pieces, degree, tolerance and
@@ -20,7 +20,7 @@ impl PiecewisePolynomial {
     /// applies Horner's rule: no branch, no panic, and no `mul_add`, which without the
     /// instruction is a slow call. Tables are constants, not statics: whichever part of a crate
     /// the function is compiled into sees its numbers.
-    pub fn emit(&self, name: &Ident, summary: &str) -> TokenStream {
+    pub fn emit(&self, name: &Ident, visibility: &TokenStream, summary: &str) -> TokenStream {
         let breakpoints = self.breakpoints();
         let inner = &breakpoints[1..breakpoints.len() - 1];
         let pieces = self.coefficients().len();
@@ -48,7 +48,7 @@ impl PiecewisePolynomial {
         quote! {
             #(#[doc = #documentation])*
             #[inline]
-            fn #name(x: f64) -> f64 {
+            #visibility fn #name(x: f64) -> f64 {
                 /// Per piece: its middle, 2 / its width, and the coefficients of t⁰, t¹, ….
                 const PIECES: &[[f64; #row_length]; #piece_count] = &[#(#rows),*];
                 #lookup
@@ -63,7 +63,12 @@ impl PiecewisePolynomial {
 
     /// The function `fn pack_name(x: Pack) -> Pack` with the same bits as `name`, which [`emit`](Self::emit) gives: Horner's
     /// rule, row by row where there are many pieces on which the rows may lie.
-    pub fn emit_for_packs(&self, name: &Ident, pack_name: &Ident) -> TokenStream {
+    pub fn emit_for_packs(
+        &self,
+        name: &Ident,
+        visibility: &TokenStream,
+        pack_name: &Ident,
+    ) -> TokenStream {
         let documentation = format!(" [`{name}()`] of each row of a pack.");
         let body = match self.coefficients() {
             [coefficients] => {
@@ -96,7 +101,7 @@ impl PiecewisePolynomial {
         quote! {
             #[doc = #documentation]
             #[inline(always)]
-            fn #pack_name<S: ::lanes::Simd>(x: ::lanes::Pack<S>) -> ::lanes::Pack<S> {
+            #visibility fn #pack_name<S: ::lanes::Simd>(x: ::lanes::Pack<S>) -> ::lanes::Pack<S> {
                 #body
             }
         }
@@ -214,7 +219,7 @@ fn lookup(inner: &[f64]) -> TokenStream {
 #[cfg(test)]
 mod tests {
     use super::super::piecewise::PiecewisePolynomial;
-    use quote::format_ident;
+    use quote::{format_ident, quote};
 
     include!("emit/example.rs");
 
@@ -229,7 +234,7 @@ mod tests {
     }
 
     fn source(polynomial: &PiecewisePolynomial, name: &str) -> String {
-        let tokens = polynomial.emit(&format_ident!("{name}"), "Example of a fit.");
+        let tokens = polynomial.emit(&format_ident!("{name}"), &quote!(), "Example of a fit.");
         prettyplease::unparse(&syn::parse2(tokens).unwrap())
     }
 

@@ -6,8 +6,8 @@ use quote::{format_ident, quote};
 use super::columns::literal;
 use crate::chain::{Chain, Link, StagedMember};
 
-/// The module `chain`.
-pub fn module(chain: &Chain) -> TokenStream {
+/// The module `chain`; `imports` bring the formulas of other modules into it.
+pub fn module(chain: &Chain, imports: &[TokenStream]) -> TokenStream {
     let column = columns(chain);
     let of_stages = " A formula that gives what others take.";
     let stages = links("Stage", of_stages, &chain.stages, chain);
@@ -21,6 +21,7 @@ pub fn module(chain: &Chain) -> TokenStream {
         #[allow(clippy::all, clippy::pedantic, unused)]
         pub mod chain {
             use super::*;
+            #(#imports)*
 
             #column
             #stages
@@ -28,6 +29,22 @@ pub fn module(chain: &Chain) -> TokenStream {
             #staged
             #(#structures)*
         }
+    }
+}
+
+/// What a member costs, in the module of its forms: its column form a row, 0 without one, and each of its staged forms for
+/// every value of what runs along and at every point. The chain may be in another module.
+pub fn weights(rows: Option<usize>, staged: &[[usize; 2]]) -> TokenStream {
+    let (row, count) = (literal(rows.unwrap_or_default()), literal(staged.len()));
+    let staged = staged.iter().map(|weights| {
+        let weights = weights.map(literal);
+        quote!([#(#weights),*])
+    });
+    quote! {
+        /// What a row of `columns` costs, in additions; 0 where there are none.
+        pub const WEIGHT: usize = #row;
+        /// What each staged form costs for every value of what runs along, and at every point, in additions.
+        pub const STAGED_WEIGHTS: [[usize; 2]; #count] = [#(#staged),*];
     }
 }
 
@@ -151,7 +168,7 @@ const INPUTS: &str = " The inputs that it depends on, bit 0 for the first column
 fn links(kind: &str, documentation: &str, links: &[Link], chain: &Chain) -> TokenStream {
     let variants = links.iter().map(|link| {
         let name = link.member.name.clone();
-        let document = format!(" [`{name}`](super::{name}()).");
+        let document = format!(" [`{name}`]({name}()).");
         (name, document)
     });
     let variants: Vec<_> = variants.collect();
@@ -171,8 +188,8 @@ fn links(kind: &str, documentation: &str, links: &[Link], chain: &Chain) -> Toke
     });
     let masks = lookup("inputs", INPUTS, &quote!(u64), &masks);
     let weights = each(&|link| {
-        let weight = literal(link.member.rows.unwrap_or_default());
-        quote!(#weight)
+        let module = format_ident!("{}", link.member.name);
+        quote!(#module::WEIGHT)
     });
     let of_weights = " What a row costs, in additions; 0 where there is no form over rows.";
     let weights = lookup("weight", of_weights, &quote!(usize), &weights);
@@ -199,7 +216,7 @@ fn links(kind: &str, documentation: &str, links: &[Link], chain: &Chain) -> Toke
 /// How the body of a formula's rows is reached.
 fn arm(link: &Link) -> TokenStream {
     let variant = variant(&link.member.name);
-    if link.member.rows.is_none() {
+    if !link.member.rows {
         return quote!(Self::#variant => None,);
     }
     let module = format_ident!("{}", link.member.name);
@@ -214,9 +231,8 @@ fn staged(chain: &Chain) -> TokenStream {
     let all: Vec<(&Link, &StagedMember)> = all.collect();
     let variants = all.iter().map(|(link, form)| {
         let (formula, module) = (&link.member.name, &form.module);
-        let document = format!(
-            " [`{formula}`](super::{formula}()), by [`{module}`](super::{formula}::{module})."
-        );
+        let document =
+            format!(" [`{formula}`]({formula}()), by [`{module}`]({formula}::{module}).");
         (format!("{formula}_{module}"), document)
     });
     let variants: Vec<_> = variants.collect();
@@ -237,9 +253,12 @@ fn staged(chain: &Chain) -> TokenStream {
     let still = each(&|link, form| slice(chain, link.still(form)));
     let of_still = " The columns that stand still, in order.";
     let still = lookup("still", of_still, &of_columns, &still);
-    let weights = each(&|_, form| {
-        let weights = form.weights.map(literal);
-        quote!([#(#weights),*])
+    let weights = each(&|link, form| {
+        let module = format_ident!("{}", link.member.name);
+        let mut forms = link.member.staged.iter();
+        let place = forms.position(|known| known.module == form.module);
+        let place = literal(place.unwrap_or_default());
+        quote!(#module::STAGED_WEIGHTS[#place])
     });
     let of_weights =
         " What it costs for every value of what runs along, and at every point, in additions.";

@@ -10,38 +10,11 @@ use crate::factor::circuit::Circuit;
 use crate::graph::{Graph, SymbolId};
 use crate::parse::body::identifier;
 
-/// The error of all column forms of a module, declared once.
+/// The error of all column forms, in the module once; it is the same one in all modules.
 pub fn error_type() -> TokenStream {
     quote! {
-        /// A column that is not as long as the results.
-        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-        #[allow(dead_code)]
-        pub struct ColumnLengthError {
-            /// The column.
-            pub column: &'static str,
-            /// Its length.
-            pub length: usize,
-            /// The length of the first result.
-            pub expected: usize,
-        }
-
-        impl ::core::fmt::Display for ColumnLengthError {
-            fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
-                let Self { column, length, expected } = self;
-                write!(f, "column {column} has {length} rows; it must have {expected}, as the results have")
-            }
-        }
-
-        impl ::core::error::Error for ColumnLengthError {}
-
-        impl ColumnLengthError {
-            #[allow(dead_code)]
-            fn of(error: ::lanes::LengthError, columns: &[&'static str]) -> Self {
-                let ::lanes::LengthError { column, length, expected } = error;
-                let column = columns.get(column).copied().unwrap_or_default();
-                Self { column, length, expected }
-            }
-        }
+        #[allow(unused_imports)]
+        pub use ::lanes::ColumnLengthError;
     }
 }
 

@@ -246,10 +246,12 @@ pub fn method(function: Function) -> Option<&'static str> {
 
 /// Name of the function that evaluates a table's derivative.
 pub fn table_function(graph: &Graph, table: usize, order: usize) -> String {
-    let name = graph
-        .tables
-        .get(table)
-        .map_or("", |table| table.name.as_str());
+    let table = graph.tables.get(table);
+    table_function_of(table.map_or("", |table| table.name.as_str()), order)
+}
+
+/// The same by the table's name.
+pub fn table_function_of(name: &str, order: usize) -> String {
     match order {
         0 => format!("{name}_table"),
         1 => format!("{name}_table_slope"),

@@ -148,9 +148,15 @@ pub(super) fn staged_stub(function: &Function, request: &StageRequest) -> TokenS
 pub(super) fn one_deeper(items: TokenStream) -> TokenStream {
     let mut result = TokenStream::new();
     let mut tokens = items.into_iter().peekable();
+    // Of `super::super` only the first starts the path.
+    let mut within_path = false;
     while let Some(token) = tokens.next() {
-        let starts_path = matches!(tokens.peek(), Some(TokenTree::Punct(next)) if next.as_char() == ':'
+        let before_path = matches!(tokens.peek(), Some(TokenTree::Punct(next)) if next.as_char() == ':'
             && next.spacing() == Spacing::Joint);
+        let starts_path = before_path && !within_path;
+        // The first colon of `::` is joint, the second may be anything; the one of `x: T` stands alone.
+        within_path = matches!(&token, TokenTree::Punct(punct) if punct.as_char() == ':'
+            && (within_path || punct.spacing() == Spacing::Joint));
         match token {
             TokenTree::Ident(name) if starts_path && name == "self" => {
                 result.extend(quote_spanned!(name.span()=> super));

@@ -12,6 +12,8 @@ use crate::emit::scalar;
 use crate::factor::rounding::Written;
 use crate::factor::{self, Outputs};
 use crate::graph::{ExprId, Graph, Role, SymbolId};
+use crate::parse::attributes::Target;
+use crate::parse::body::partials::{Misread, read_partial};
 use crate::parse::body::{identifier, partial_symbols};
 use crate::parse::module::Function;
 use crate::parse::numbers;
@@ -27,6 +29,25 @@ impl Expansion {
         Some(formula)
     }
 
+    /// Reports a partial that is asked for and that the formula does not have.
+    pub(super) fn check_partial(&mut self, function: &Function, asked: &Target) {
+        let Some(formula) = self.with_known_inputs(function) else {
+            return;
+        };
+        let name = function.name();
+        let symbol = |id: SymbolId| formula.graph.symbol(id).name.clone();
+        let misread = match formula.roots.as_slice() {
+            [_] => read_partial(&name, &asked.symbol, &own_inputs(&formula.graph), symbol).err(),
+            _ => Some(Misread {
+                message: format!("`{name}` gives several numbers, a partial needs one"),
+                hint: "write a function that gives the one number".to_owned(),
+            }),
+        };
+        if let Some(Misread { message, hint }) = misread {
+            self.diagnostics.error_with_hint(asked.span, message, hint);
+        }
+    }
+
     /// The function `d_x` or `d_x_y`.
     pub(super) fn partial(&mut self, function: &Function, partial: &str) -> TokenStream {
         let name = format_ident!("{partial}");
@@ -38,11 +59,7 @@ impl Expansion {
         let Some(mut formula) = self.with_known_inputs(function) else {
             return stub_function(function, &quote!(#name), &quote!(f64));
         };
-        let symbols = formula.graph.symbols();
-        let own = symbols.filter(|(_, symbol)| symbol.role == Role::Input);
-        let names: Vec<(String, SymbolId)> = own
-            .map(|(id, symbol)| (identifier(&symbol.name), id))
-            .collect();
+        let names = own_inputs(&formula.graph);
         let ways = partial
             .strip_prefix("d_")
             .map(|suffix| partial_symbols(suffix, &names))
@@ -89,6 +106,15 @@ impl Expansion {
             }
         }
     }
+}
+
+/// The inputs of a formula, by the names that they have in partials.
+fn own_inputs(graph: &Graph) -> Vec<(String, SymbolId)> {
+    let own = graph
+        .symbols()
+        .filter(|(_, symbol)| symbol.role == Role::Input);
+    own.map(|(id, symbol)| (identifier(&symbol.name), id))
+        .collect()
 }
 
 /// Puts the partials by some symbols, one after the other, in the place of numbers.

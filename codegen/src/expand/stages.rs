@@ -1,16 +1,13 @@
-//! Formulas in stages: what is generated along an inner parameter, and the tables of code that runs in packs.
+//! Formulas in stages: what is generated along an inner parameter.
 
 use proc_macro2::TokenStream;
-use quote::format_ident;
 
 use super::fallback::staged_stub;
 use super::text::output_names;
 use super::{Expansion, Formula, derive, derive_written};
-use crate::emit::namer::{pack_table_function, table_function};
 use crate::emit::scalar::Form;
 use crate::emit::staged;
-use crate::factor::circuit::{Circuit, Operation};
-use crate::graph::{Graph, SymbolId};
+use crate::graph::SymbolId;
 use crate::parse::attributes::StageRequest;
 use crate::parse::module::Function;
 use crate::stage::{self, Staged};
@@ -51,23 +48,5 @@ impl Expansion {
         let written = derive_written(formula, Form::Value, &[]);
         let circuit = stage::minimise(&graph, &outputs, &written, &set);
         Some((stage::split(&graph, &circuit, &set), inner, names))
-    }
-
-    /// The tables of a circuit that runs in packs.
-    pub(super) fn use_tables_in_packs(&mut self, graph: &Graph, circuit: &Circuit) {
-        self.use_tables(graph, circuit);
-        for net in circuit.nets() {
-            if let Operation::Tabulated { table, order, .. } = circuit.operation(net)
-                && let Some(known) = graph.tables.get(*table)
-            {
-                let name = table_function(graph, *table, *order);
-                let pack_name = pack_table_function(&name);
-                let idents = [&name, &pack_name].map(|name| format_ident!("{name}"));
-                let [name, of_pack] = &idents;
-                self.used_tables
-                    .entry(pack_name)
-                    .or_insert_with(|| known.derivative(*order).emit_for_packs(name, of_pack));
-            }
-        }
     }
 }

@@ -378,24 +378,23 @@ impl<'a> Writer<'a> {
         let Expr::Path(path) = call.func.as_ref() else {
             return unsupported(call);
         };
-        let segments: Vec<String> = path
-            .path
-            .segments
-            .iter()
-            .map(|segment| segment.ident.to_string())
-            .collect();
         let module = self.names.module;
-        match segments.as_slice() {
-            [name] if name == "integral" && module.function(name).is_none() => self.integral(call),
-            [name] => {
+        let called = path.path.segments.iter();
+        let segments: Vec<String> = called.map(|segment| segment.ident.to_string()).collect();
+        match (segments.as_slice(), module.callee(&path.path)) {
+            ([name], None) if name == "integral" => self.integral(call),
+            ([name], None) => {
                 let arguments = self.arguments(call)?;
                 Ok(Piece::atom(self.names.symbols.latex(name) + &arguments))
             }
-            [name, partial] => {
-                let by = module
-                    .function(name)
-                    .and_then(|function| self.partial(module, function, partial));
-                let Some(by) = by else {
+            (_, Some((callee, None))) => {
+                let name = callee.function.name();
+                let arguments = self.arguments(call)?;
+                Ok(Piece::atom(self.names.symbols.latex(&name) + &arguments))
+            }
+            (_, Some((callee, Some(partial)))) => {
+                let name = &callee.function.name();
+                let Some(by) = self.partial(callee.home, callee.function, &partial) else {
                     return unsupported(call);
                 };
                 let arguments = self.arguments(call)?;

@@ -62,6 +62,14 @@ impl Symbols {
         symbols
     }
 
+    /// Takes over the symbols of names that have none here.
+    pub(crate) fn take_over(&mut self, other: &Self) {
+        for (name, latex) in &other.table {
+            let known = self.table.entry(name.clone());
+            known.or_insert_with(|| latex.clone());
+        }
+    }
+
     /// A name in LaTeX: from the table, else by rule.
     ///
     /// By rule, the parts between underscores are a letter with accents and subscripts, `omega_bar` $\bar{\omega}$,

@@ -199,7 +199,7 @@ fn tables_are_checked() {
         (r#"latex(a = "x", a = "y")"#, "has a symbol already"),
         (r#"latex(a = "{x")"#, "braces of the symbol do not match"),
         (r#"latex(a = 2)"#, "not a name and its symbol"),
-        (r#"tex(a = "x")"#, "a table of symbols, and nothing else"),
+        (r#"tex(a = "x")"#, "and nothing else"),
         ("sizes = 2.0..=1e9", "not a range of sizes"),
         ("latex = 2 3", "expected"),
     ];

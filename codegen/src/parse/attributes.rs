@@ -49,6 +49,8 @@ pub struct Request {
     pub stages: Vec<StageRequest>,
     /// Whether it takes part in the chain of its module, and what its results are called there.
     pub chain: Option<ChainRequest>,
+    /// Partials `d_x` by their names, as functions that other modules call.
+    pub partials: Vec<Target>,
     /// Greatest counts of the richest form asked for; partials that formulas call are forms of their own.
     pub budget: Vec<Limit>,
 }
@@ -274,6 +276,12 @@ fn request(words: &[Expr], span: Span, diagnostics: &mut Diagnostics) -> Request
             "stage" => request.stages.extend(stage(name, &arguments, diagnostics)),
             "chain" => request.chain = Some(chain(name, &arguments, diagnostics)),
             "budget" => budget(&mut request.budget, name, &arguments, diagnostics),
+            partial if partial.starts_with("d_") && arguments.is_empty() => {
+                request.partials.push(Target {
+                    symbol: partial.to_owned(),
+                    span: name.span(),
+                });
+            }
             other => {
                 let hint = nearest(other, FORMS).map_or_else(
                     || format!("forms are {}", FORMS.join(", ")),
@@ -283,8 +291,10 @@ fn request(words: &[Expr], span: Span, diagnostics: &mut Diagnostics) -> Request
             }
         }
     }
-    if let ([only], [word]) = (asked.as_slice(), words)
-        && only == "budget"
+    let counted = |form: &String| form != "budget" && !form.starts_with("d_");
+    let is_budget = |word: &&Expr| head(word).is_some_and(|(name, _)| name == "budget");
+    if let Some(word) = words.iter().find(is_budget)
+        && !asked.iter().any(counted)
     {
         diagnostics.error_with_hint(
             word.span(),

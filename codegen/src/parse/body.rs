@@ -3,6 +3,7 @@
 mod calls;
 mod chains;
 mod methods;
+pub(crate) mod partials;
 mod result;
 mod statements;
 mod structs;
@@ -30,6 +31,9 @@ const DEEPEST_CALL: usize = 256;
 
 /// Reads bodies of one module's functions into one graph, operation by operation as they are written.
 pub struct Reader<'m> {
+    /// The module for which is read: its settings hold.
+    reading: &'m Module,
+    /// The module in which what is read stands: names are looked up there.
     module: &'m Module,
     tables: &'m mut Tables,
     /// The graph that is written to.
@@ -46,6 +50,8 @@ pub struct Reader<'m> {
     depth: usize,
     /// Whether calls went deeper than they may.
     pub too_deep: bool,
+    /// Whether something could not be read for a mistake in a linked module, which reports it.
+    pub linked_mistake: bool,
     /// The values of expressions that depend on no input, by position, as far as they were asked for.
     constants: Vec<Option<f64>>,
 }
@@ -56,6 +62,7 @@ impl<'m> Reader<'m> {
         let mut graph = Graph::as_written();
         graph.sizes = module.sizes;
         Self {
+            reading: module,
             module,
             tables,
             graph,
@@ -65,6 +72,7 @@ impl<'m> Reader<'m> {
             named: BTreeSet::new(),
             depth: 0,
             too_deep: false,
+            linked_mistake: false,
             constants: Vec::new(),
         }
     }
@@ -129,7 +137,7 @@ impl<'m> Reader<'m> {
     fn symbol(&mut self, role: &Role, name: &str) -> SymbolId {
         let id = self.graph.symbol_of(role.clone(), name);
         if *role == Role::Input {
-            let of_module = self.module.domain.iter();
+            let of_module = self.reading.domain.iter();
             for (_, domain) in of_module.filter(|(known, _)| known == name) {
                 self.graph.assume(id, *domain);
             }
@@ -314,17 +322,10 @@ impl<'m> Reader<'m> {
                 self.note(&value);
                 return Some(value);
             }
-            if self.module.cyclic_constants.contains(&name) {
-                return None;
-            }
-            if let Some((_, value)) = self
-                .module
-                .constants
-                .iter()
-                .find(|(constant, _)| *constant == name)
-            {
-                return self.expression(value, &mut Scope::new());
-            }
+        }
+        let module = self.module;
+        if let Some((home, name)) = module.constant(path) {
+            return self.constant_of(home, name);
         }
         if let Some(standard) = self.module.imports.constant(path)
             && let Some(id) = literal::constant(&mut self.graph, &standard)
@@ -352,6 +353,24 @@ impl<'m> Reader<'m> {
         self.diagnostics
             .error_with_hint(path.span(), format!("unknown name `{name}`"), hint);
         None
+    }
+
+    /// The value of a constant of a module.
+    fn constant_of(&mut self, home: &'m Module, name: &str) -> Option<Value> {
+        if home.cyclic_constants.contains(name) {
+            return None;
+        }
+        let mut constants = home.constants.iter();
+        let (_, value) = constants.find(|(constant, _)| constant == name)?;
+        self.within(home, |reader| reader.expression(value, &mut Scope::new()))
+    }
+
+    /// What work gives that looks names up in another module.
+    fn within<T>(&mut self, home: &'m Module, work: impl FnOnce(&mut Self) -> T) -> T {
+        let before = std::mem::replace(&mut self.module, home);
+        let result = work(self);
+        self.module = before;
+        result
     }
 
     fn element(&mut self, index: &syn::ExprIndex, scope: &mut Scope) -> Option<Value> {

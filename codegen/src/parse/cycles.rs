@@ -19,7 +19,7 @@ pub(super) fn check(module: &mut Module, diagnostics: &mut Diagnostics) {
     let calls: Needs = module
         .functions
         .iter()
-        .map(|function| (function.name(), calls_of(function)))
+        .map(|function| (function.name(), calls_of(module, function)))
         .collect();
     let cyclic = report(&calls, diagnostics, |names| match names {
         [_] => (
@@ -95,27 +95,28 @@ fn report(
     cyclic
 }
 
-/// The functions that a function calls, those in the factor of its approximation among them.
-fn calls_of(function: &Function) -> Vec<(String, Span)> {
-    struct Calls(Vec<(String, Span)>);
-    impl<'ast> Visit<'ast> for Calls {
+/// The functions of its module that a function calls, those in the factor of its approximation among them. Those of
+/// modules that are linked do not call back: modules that link each other in a circle are refused.
+fn calls_of(module: &Module, function: &Function) -> Vec<(String, Span)> {
+    struct Calls<'m>(&'m Module, Vec<(String, Span)>);
+    impl<'ast> Visit<'ast> for Calls<'_> {
         fn visit_expr_call(&mut self, call: &'ast syn::ExprCall) {
             if let syn::Expr::Path(path) = call.func.as_ref()
-                && path.path.segments.len() <= 2
-                && let Some(name) = path.path.segments.first()
+                && let Some((callee, _)) = self.0.callee(&path.path)
+                && callee.home.key == self.0.key
             {
-                self.0.push((name.ident.to_string(), path.path.span()));
+                self.1.push((callee.function.name(), path.path.span()));
             }
             syn::visit::visit_expr_call(self, call);
         }
     }
-    let mut calls = Calls(Vec::new());
+    let mut calls = Calls(module, Vec::new());
     calls.visit_block(&function.item.block);
     let factor = function.approximation.as_ref();
     if let Some(factor) = factor.and_then(|approximation| approximation.factor.as_ref()) {
         calls.visit_expr(factor);
     }
-    calls.0
+    calls.1
 }
 
 /// The names in a constant's value.

@@ -1,28 +1,41 @@
-//! Which names of a module are constants of the standard library: those that it imports, and no others.
+//! What a module imports: constants of the standard library, and items of modules that it links.
 
-use syn::{Path, UseTree};
+use syn::{ItemUse, Path, UseTree, Visibility};
 
 use super::literal::CONSTANTS;
 
 /// Where the constants are.
 const HOMES: [[&str; 3]; 2] = [["std", "f64", "consts"], ["core", "f64", "consts"]];
 
-/// The `use` items of a module, as far as they concern constants of the standard library.
+/// The `use` items of a module.
 #[derive(Clone, Debug, Default)]
 pub struct Imports {
     /// A name and the path that it stands for.
-    names: Vec<(String, Vec<String>)>,
+    names: Vec<Import<(String, Vec<String>)>>,
     /// Paths all of whose names are imported.
-    globs: Vec<Vec<String>>,
+    globs: Vec<Import<Vec<String>>>,
+}
+
+#[derive(Clone, Debug)]
+struct Import<T> {
+    what: T,
+    /// Whether other modules see it.
+    seen: bool,
 }
 
 impl Imports {
+    /// Reads an item.
+    pub fn read(&mut self, item: &ItemUse) {
+        let seen = !matches!(item.vis, Visibility::Inherited);
+        self.read_tree(&mut Vec::new(), &item.tree, seen);
+    }
+
     /// Reads an import below the path `prefix`.
-    pub fn read(&mut self, prefix: &mut Vec<String>, tree: &UseTree) {
+    fn read_tree(&mut self, prefix: &mut Vec<String>, tree: &UseTree, seen: bool) {
         match tree {
             UseTree::Path(path) => {
                 prefix.push(path.ident.to_string());
-                self.read(prefix, &path.tree);
+                self.read_tree(prefix, &path.tree, seen);
                 prefix.pop();
             }
             UseTree::Name(name) => {
@@ -31,20 +44,39 @@ impl Imports {
                 let own = (name != "self").then(|| name.clone());
                 let path: Vec<String> = prefix.iter().cloned().chain(own).collect();
                 if let Some(last) = path.last().cloned() {
-                    self.names.push((last, path));
+                    let what = (last, path);
+                    self.names.push(Import { what, seen });
                 }
             }
             UseTree::Rename(rename) => {
                 let path = prefix.iter().cloned().chain([rename.ident.to_string()]);
-                self.names.push((rename.rename.to_string(), path.collect()));
+                let what = (rename.rename.to_string(), path.collect());
+                self.names.push(Import { what, seen });
             }
-            UseTree::Glob(_) => self.globs.push(prefix.clone()),
+            UseTree::Glob(_) => {
+                let what = prefix.clone();
+                self.globs.push(Import { what, seen });
+            }
             UseTree::Group(group) => {
                 for tree in &group.items {
-                    self.read(prefix, tree);
+                    self.read_tree(prefix, tree, seen);
                 }
             }
         }
+    }
+
+    /// The paths that an imported name stands for, of which several may be under conditions; only those that other modules
+    /// see, if that is asked.
+    pub(super) fn paths_of(&self, name: &str, seen: bool) -> impl Iterator<Item = &[String]> {
+        let names = self.names.iter();
+        let names = names.filter(move |import| import.what.0 == name && (import.seen || !seen));
+        names.map(|import| import.what.1.as_slice())
+    }
+
+    /// The paths all of whose names are imported; only those that other modules see, if that is asked.
+    pub(super) fn globs(&self, seen: bool) -> impl Iterator<Item = &[String]> {
+        let globs = self.globs.iter().filter(move |glob| glob.seen || !seen);
+        globs.map(|glob| glob.what.as_slice())
     }
 
     /// The name in `std::f64::consts` that a path in the module stands for.
@@ -55,8 +87,9 @@ impl Imports {
             .map(|part| part.ident.to_string())
             .collect();
         let (first, rest) = segments.split_first()?;
-        let whole = match self.names.iter().find(|(name, _)| name == first) {
-            Some((_, path)) => path.iter().chain(rest).cloned().collect(),
+        let imported = self.paths_of(first, false).next().map(<[_]>::to_vec);
+        let whole = match imported {
+            Some(path) => path.into_iter().chain(rest.iter().cloned()).collect(),
             None if rest.is_empty() && self.imports_all_constants() => {
                 return CONSTANTS.contains(&first.as_str()).then(|| first.clone());
             }
@@ -70,8 +103,7 @@ impl Imports {
     }
 
     fn imports_all_constants(&self) -> bool {
-        self.globs
-            .iter()
+        self.globs(false)
             .any(|path| HOMES.iter().any(|known| path == known))
     }
 }

@@ -6,16 +6,19 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use proc_macro2::Span;
 use syn::visit::Visit;
-use syn::{FnArg, Ident, Item, ItemFn, ItemMod, Pat, Type};
+use syn::{FnArg, Ident, Item, ItemFn, ItemMod, Pat, Type, Visibility};
 
 use super::attributes::{Approximation, FunctionAttributes, OWN, Request, Specialisation};
 use super::imports::Imports;
+use super::names::{Kind, Linked};
+use super::place::Place;
 use super::{cycles, numbers, signature, specialise};
 use crate::diagnostics::Diagnostics;
 use crate::graph::{Domain, Sizes};
+use crate::latex::Symbols;
 
 /// A module of formulas.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Module {
     /// The item as written, without the generator's own attributes.
     pub item: ItemMod,
@@ -25,7 +28,7 @@ pub struct Module {
     places: BTreeMap<String, usize>,
     /// Its constants: name and value.
     pub constants: Vec<(String, syn::Expr)>,
-    /// What it imports of the standard library's constants.
+    /// What it imports of the standard library's constants, and of the modules that it links.
     pub imports: Imports,
     /// Constants whose value is needed for itself; that is reported, they have none.
     pub cyclic_constants: BTreeSet<String>,
@@ -35,6 +38,18 @@ pub struct Module {
     pub sizes: Sizes,
     /// Where numbers of some names lie wherever a function takes them.
     pub domain: Vec<(String, Domain)>,
+    /// How names are written in LaTeX.
+    pub symbols: Symbols,
+    /// What tells it from the others where modules link each other.
+    pub key: String,
+    /// The modules that it links, those that they link among them.
+    pub linked: Vec<Linked>,
+    /// Whether it has the chain of its formulas and of those that it links.
+    pub has_chain: bool,
+    /// Where modules are that it links and that are not known, which is reported.
+    pub(super) refused: Vec<Place>,
+    /// Its items that no other module sees.
+    pub(super) private: BTreeSet<(Kind, String)>,
 }
 
 /// A function of the module.
@@ -127,8 +142,18 @@ pub(super) fn bound_names(pattern: &Pat) -> Vec<String> {
 }
 
 impl Module {
-    /// Reads a module. Functions whose signature can't be taken are left as written, and reported.
-    pub fn read(mut item: ItemMod, diagnostics: &mut Diagnostics) -> Self {
+    /// Reads a module that links no other. Functions whose signature can't be taken are left as written, and reported.
+    pub fn read(item: ItemMod, diagnostics: &mut Diagnostics) -> Self {
+        Self::read_among(String::new(), Vec::new(), item, diagnostics)
+    }
+
+    /// Reads a module that links others.
+    pub fn read_among(
+        key: String,
+        linked: Vec<Linked>,
+        mut item: ItemMod,
+        diagnostics: &mut Diagnostics,
+    ) -> Self {
         let mut module = Self {
             item: item.clone(),
             functions: Vec::new(),
@@ -139,6 +164,12 @@ impl Module {
             structs: Vec::new(),
             sizes: Sizes::All,
             domain: Vec::new(),
+            symbols: Symbols::default(),
+            key,
+            linked,
+            has_chain: false,
+            refused: Vec::new(),
+            private: BTreeSet::new(),
         };
         let Some((_, items)) = &mut item.content else {
             diagnostics.error_with_hint(
@@ -150,28 +181,7 @@ impl Module {
         };
         let mut specialisations = Vec::new();
         for item in items.iter_mut() {
-            match item {
-                Item::Fn(function) => {
-                    specialisations.extend(module.read_function(function, diagnostics));
-                }
-                Item::Const(constant) => {
-                    module
-                        .constants
-                        .push((constant.ident.to_string(), (*constant.expr).clone()));
-                }
-                Item::Struct(item) => {
-                    let fields = item.fields.iter().enumerate();
-                    let fields = fields.map(|(position, field)| match &field.ident {
-                        Some(name) => name.to_string(),
-                        None => position.to_string(),
-                    });
-                    module
-                        .structs
-                        .push((item.ident.to_string(), fields.collect()));
-                }
-                Item::Use(import) => module.imports.read(&mut Vec::new(), &import.tree),
-                _ => {}
-            }
+            specialisations.extend(module.read_item(item, diagnostics));
         }
         module.item = item;
         numbers::check_domains(&module, diagnostics);
@@ -184,13 +194,57 @@ impl Module {
         module
     }
 
+    /// Adds what an item says; what is to be specialised from a function, is left for later.
+    fn read_item(
+        &mut self,
+        item: &mut Item,
+        diagnostics: &mut Diagnostics,
+    ) -> Vec<(String, Specialisation)> {
+        match item {
+            Item::Fn(function) => {
+                self.note_private(Kind::Function, &function.sig.ident, &function.vis);
+                return self.read_function(function, diagnostics);
+            }
+            Item::Const(constant) => {
+                self.note_private(Kind::Constant, &constant.ident, &constant.vis);
+                let value = (*constant.expr).clone();
+                self.constants.push((constant.ident.to_string(), value));
+            }
+            Item::Struct(item) => {
+                self.note_private(Kind::Struct, &item.ident, &item.vis);
+                let fields = item.fields.iter().enumerate();
+                let fields = fields.map(|(position, field)| match &field.ident {
+                    Some(name) => name.to_string(),
+                    None => position.to_string(),
+                });
+                self.structs
+                    .push((item.ident.to_string(), fields.collect()));
+            }
+            Item::Use(import) => self.imports.read(import),
+            _ => {}
+        }
+        Vec::new()
+    }
+
+    fn note_private(&mut self, kind: Kind, name: &Ident, visibility: &Visibility) {
+        if matches!(visibility, Visibility::Inherited) {
+            self.private.insert((kind, name.to_string()));
+        }
+    }
+
     /// The function of that name.
     pub fn function(&self, name: &str) -> Option<&Rc<Function>> {
         self.functions.get(*self.places.get(name)?)
     }
 
-    /// The fields of a struct of the module by its type or a reference to it; those of a struct from outside are not
-    /// known.
+    /// Whether code is generated from it that runs in packs.
+    pub fn runs_on_lanes(&self) -> bool {
+        let mut requests = self.functions.iter().flat_map(|known| &known.request);
+        requests.any(|request| request.columns || !request.stages.is_empty())
+    }
+
+    /// The fields of a struct of the module, or of one that it links, by its type or a reference to it; those of a struct
+    /// from elsewhere are not known.
     pub fn fields_of(&self, ty: &Type) -> Option<&[String]> {
         match ty {
             Type::Reference(reference) => self.fields_of(&reference.elem),
@@ -198,18 +252,6 @@ impl Module {
             Type::Path(path) if path.qself.is_none() => self.fields_at(&path.path),
             _ => None,
         }
-    }
-
-    /// The fields of a struct of the module by its path.
-    pub fn fields_at(&self, path: &syn::Path) -> Option<&[String]> {
-        let segments: Vec<&Ident> = path.segments.iter().map(|part| &part.ident).collect();
-        let name = match segments.as_slice() {
-            [name] => name,
-            [own, name] if *own == "self" => name,
-            _ => return None,
-        };
-        let found = self.structs.iter().find(|(known, _)| *name == known);
-        found.map(|(_, fields)| fields.as_slice())
     }
 
     fn specialise(

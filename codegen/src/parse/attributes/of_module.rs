@@ -1,14 +1,15 @@
 //! What is said of a module as a whole: `#[symbolic(sizes = …, latex(…))]`.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Span, TokenStream};
 use syn::parse::Parser;
 use syn::punctuated::Punctuated;
 use syn::spanned::Spanned;
-use syn::{Expr, Token};
+use syn::{Expr, Path, Token};
 
 use super::{Target, domain, number};
 use crate::diagnostics::Diagnostics;
 use crate::graph::{Domain, Sizes};
+use crate::parse::place::Place;
 
 /// What stands in the parentheses of `#[symbolic(…)]`.
 #[derive(Clone, Debug, Default)]
@@ -19,6 +20,27 @@ pub struct ModuleAttribute {
     pub domain: Vec<(Target, Domain)>,
     /// The sizes of the module's numbers: `sizes = 1e-9..=1e9`.
     pub sizes: Sizes,
+    /// Whether it has the chain of its formulas and of those that it links.
+    pub chain: bool,
+    /// The modules whose formulas are known to it: `with(super::stiffness)`.
+    pub links: Vec<Link>,
+}
+
+/// A module that another one links.
+#[derive(Clone, Debug)]
+pub struct Link {
+    /// The path as written.
+    pub path: Path,
+    /// Where it leads.
+    pub place: Place,
+}
+
+impl Link {
+    /// Where messages about it stand: at the module's name, the last one of the path.
+    pub fn span(&self) -> Span {
+        let last = self.path.segments.last();
+        last.map_or_else(Span::call_site, |last| last.ident.span())
+    }
 }
 
 const MODULE: &str = r#"write for example symbolic(sizes = 1e-9..=1e9, latex(speed = "\\Omega", crack_angle = "\\phi"))"#;
@@ -37,6 +59,9 @@ impl ModuleAttribute {
                             let read_all = conditions.filter_map(|word| domain(word, diagnostics));
                             read.domain.extend(read_all);
                         }
+                        Expr::Call(call) if is(&call.func, "with") => {
+                            read.links.extend(call.args.iter().filter_map(|path| link(path, diagnostics)));
+                        }
                         Expr::Call(call) if is(&call.func, "latex") => read.latex.extend(call.args.iter().cloned()),
                         Expr::Assign(assign) if is(&assign.left, "sizes") => match sizes(&assign.right) {
                             Some(sizes) => read.sizes = sizes,
@@ -46,9 +71,10 @@ impl ModuleAttribute {
                                 "sizes are above 0 and finite, and 1 is among them: sizes = 1e-9..=1e9",
                             ),
                         },
+                        word if is(word, "chain") => read.chain = true,
                         other => diagnostics.error_with_hint(
                             other.span(),
-                            "`symbolic` takes the sizes and domains of numbers and a table of symbols, and nothing else",
+                            "`symbolic` takes the sizes and domains of numbers, a table of symbols, modules to link and `chain`, and nothing else",
                             MODULE,
                         ),
                     }
@@ -58,6 +84,23 @@ impl ModuleAttribute {
         }
         read
     }
+}
+
+fn link(path: &Expr, diagnostics: &mut Diagnostics) -> Option<Link> {
+    if let Expr::Path(syn::ExprPath {
+        qself: None, path, ..
+    }) = path
+        && let Some(place) = Place::of_attribute(path)
+    {
+        let path = path.clone();
+        return Some(Link { path, place });
+    }
+    diagnostics.error_with_hint(
+        path.span(),
+        "not the path of a module of this crate",
+        "write it as from where the attribute stands: with(super::stiffness)",
+    );
+    None
 }
 
 fn sizes(range: &Expr) -> Option<Sizes> {

@@ -2,18 +2,20 @@
 
 use std::sync::Arc;
 
-use std::collections::BTreeMap;
-
 use proc_macro2::Span;
 use syn::spanned::Spanned;
-use syn::{Expr, Pat};
+use syn::{Expr, Ident, Pat};
 
-use super::{Reader, Scope, identifier, partial_symbols};
-use crate::diagnostics::{Diagnostics, alike, nearest};
-use crate::graph::{ExprId, Role, SymbolId};
+use super::{Reader, Scope};
+use crate::diagnostics::{Diagnostics, nearest};
+use crate::graph::Role;
 use crate::parse::module::{Function, ParameterKind};
-use crate::parse::numbers;
+use crate::parse::names::{Callee, Kind, Miss, names_of};
 use crate::parse::value::Value;
+use crate::tables::Tables;
+
+const WHERE_FORMULAS_ARE: &str =
+    "formulas call formulas of their own module, and those of modules that it links by `with(…)`";
 
 impl<'m> Reader<'m> {
     pub(super) fn function_call(
@@ -29,78 +31,100 @@ impl<'m> Reader<'m> {
                 "call a formula of the module by its name",
             );
         };
-        let segments: Vec<String> = path
-            .path
-            .segments
-            .iter()
-            .map(|segment| segment.ident.to_string())
-            .collect();
         let span = path.path.span();
-        if matches!(segments.as_slice(), [name] if name == "integral" && self.module.function(name).is_none())
-        {
+        let module = self.module;
+        let own = |name: &Ident| module.function(&name.to_string());
+        let plain = path.path.get_ident();
+        if plain.is_some_and(|name| name == "integral" && own(name).is_none()) {
             return self.integral(call, scope);
         }
-        let (name, partial) = match segments.as_slice() {
-            [name] => (name, None),
-            [name, partial] if name != "f64" => (name, Some(partial)),
-            segments => {
-                self.all(call.args.iter(), scope);
-                if let [_, method] = segments {
-                    let hint = format!("write `x.{method}(…)`");
-                    return self.unsupported(span, "a method as a function", &hint);
-                }
-                return self.unsupported(
-                    span,
-                    "a call outside the module",
-                    "formulas call formulas of their own module",
-                );
-            }
-        };
-        let Some(function) = self.known_function(name, span) else {
+        let Some((callee, form)) = module.callee(&path.path) else {
+            self.report_unknown_function(&path.path);
             self.all(call.args.iter(), scope);
             return None;
         };
-        let partial = partial.filter(|partial| *partial != "value");
-        if let Some(partial) = partial {
+        let Callee { home, function } = callee;
+        let partial = form.filter(|form| form != "value");
+        if let Some(partial) = &partial
+            && home.key == self.reading.key
+        {
             // Entered before it is known to exist, so that a call of one that does not is reported once.
             self.partials.insert((function.name(), partial.clone()));
         }
-        let arguments = self.arguments(function, call, scope)?;
-        match partial {
-            Some(partial) => self.partial(function, partial, arguments, span),
-            None => self.call_or_table(function, arguments, span),
-        }
+        let arguments = self.arguments(callee, call, scope)?;
+        self.within(home, |reader| match partial {
+            Some(partial) => reader.partial(function, &partial, arguments, span),
+            None => reader.call_or_table(function, arguments, span),
+        })
     }
 
-    fn known_function(&mut self, name: &str, span: Span) -> Option<&'m Function> {
-        let module = self.module;
-        let Some(function) = module.function(name) else {
-            let names: Vec<String> = module
-                .functions
-                .iter()
-                .map(|function| function.name())
-                .collect();
-            let hint = match nearest(name, names.iter().map(String::as_str)) {
-                Some(candidate) => format!("did you mean `{candidate}`?"),
-                None => "formulas call formulas of their own module".to_owned(),
-            };
-            self.diagnostics
-                .error_with_hint(span, format!("unknown function `{name}`"), hint);
-            return None;
+    /// Reports a call of what is no formula that is known here.
+    fn report_unknown_function(&mut self, path: &syn::Path) {
+        let span = path.span();
+        let names = names_of(path);
+        if self.module.is_of_refused(&names) {
+            return;
+        }
+        if let Err(Miss::Ambiguous(places)) = self.module.find(&names, Kind::Function) {
+            let places: Vec<String> = places.iter().map(|place| format!("`{place}`")).collect();
+            self.diagnostics.error_with_hint(
+                span,
+                format!("`{}` is in each of {}", names.join("::"), places.join(", ")),
+                "import the one that is meant by its name, or call it by its path",
+            );
+            return;
+        }
+        let (message, known) = match (names.as_slice(), self.module.module_of(&names)) {
+            ([.., name], Some(linked)) => {
+                let functions = linked.module.functions.iter();
+                let functions = functions.map(|function| function.name()).collect();
+                let message = format!("`{}` has no formula `{name}`", linked.place.text());
+                (message, (name, functions))
+            }
+            ([name], None) => {
+                let message = format!("unknown function `{name}`");
+                (message, (name, self.module.functions_in_sight()))
+            }
+            ([first, method], None) if first == "f64" => {
+                let hint = format!("write `x.{method}(…)`");
+                self.unsupported::<()>(span, "a method as a function", &hint);
+                return;
+            }
+            ([name, _], None) if !matches!(name.as_str(), "super" | "crate" | "self") => {
+                let message = format!("unknown function `{name}`");
+                (message, (name, self.module.functions_in_sight()))
+            }
+            _ => {
+                self.unsupported::<()>(span, "a call outside the module", WHERE_FORMULAS_ARE);
+                return;
+            }
         };
-        Some(function)
+        let (name, functions): (&String, Vec<String>) = known;
+        let hint = match nearest(name, functions.iter().map(String::as_str)) {
+            Some(candidate) => format!("did you mean `{candidate}`?"),
+            None => WHERE_FORMULAS_ARE.to_owned(),
+        };
+        // Of a path the name in the module is wrong.
+        let last = path.segments.last().filter(|_| names.len() > 1);
+        let span = match (last, self.module.module_of(&names)) {
+            (Some(last), Some(_)) => last.ident.span(),
+            _ => span,
+        };
+        self.diagnostics.error_with_hint(span, message, hint);
     }
 
     fn arguments(
         &mut self,
-        function: &Function,
+        Callee { home, function }: Callee<'m>,
         call: &syn::ExprCall,
         scope: &mut Scope,
     ) -> Option<Vec<Value>> {
+        let linked = home.key != self.reading.key;
         let expected = function.parameters.len();
         let arguments = self.all(call.args.iter(), scope);
         if !function.readable {
             // It is reported where it stands.
+            self.linked_mistake |= linked;
             return None;
         }
         if call.args.len() != expected {
@@ -175,10 +199,10 @@ impl<'m> Reader<'m> {
             return result;
         };
         // A table that could not be made is reported where its function stands.
-        let table = self
-            .tables
-            .get(self.module, function, approximation)?
-            .clone();
+        let (reading, home) = (self.reading, self.module);
+        let table = self.tables.get(reading, home, function, approximation);
+        self.linked_mistake |= table.is_none() && home.key != reading.key;
+        let table = table?.clone();
         let position = self
             .graph
             .tables
@@ -199,7 +223,15 @@ impl<'m> Reader<'m> {
     /// A function that is wrong in itself is reported where it stands, not at each of its calls; one that only these
     /// arguments don't suit is reported here.
     fn explain_failed_call(&mut self, function: &Function, reasons: &Diagnostics, span: Span) {
-        let alone = Reader::new(self.module, self.tables).read(function);
+        let linked = self.module.key != self.reading.key;
+        let mut sketched = Tables::sketched();
+        let tables = if linked {
+            &mut sketched
+        } else {
+            &mut *self.tables
+        };
+        let alone = Reader::new(self.module, tables).read(function);
+        self.linked_mistake |= linked && alone.is_none();
         if let (Some(_), Some(reason)) = (alone, reasons.first()) {
             self.diagnostics.error_with_hint(
                 span,
@@ -211,130 +243,6 @@ impl<'m> Reader<'m> {
                 reason.hint.clone(),
             );
         }
-    }
-
-    /// `f::d_x(…)` or `f::d_x_y(…)`: a partial derivative of another formula, at these arguments.
-    fn partial(
-        &mut self,
-        function: &'m Function,
-        partial: &str,
-        arguments: Vec<Value>,
-        span: Span,
-    ) -> Option<Value> {
-        let role = Role::Argument(function.name().into());
-        let placeholders = self.symbolic_arguments(function, &role);
-        for number in numbers::known(self.module, function) {
-            self.graph.symbol_of(role.clone(), &number);
-        }
-        let value = match self.call_or_table(function, placeholders, span)? {
-            Value::Number(id) => id,
-            other => {
-                let message = format!(
-                    "`{}` gives {}, a partial needs a number",
-                    function.name(),
-                    other.description()
-                );
-                self.diagnostics.error_with_hint(
-                    span,
-                    message,
-                    "write a function that gives the one number",
-                );
-                return None;
-            }
-        };
-        let mut derivative = value;
-        for symbol in self.derived_by(function, partial, &role, span)? {
-            derivative =
-                crate::differentiate::gradient_forward(&mut self.graph, derivative, &[symbol])
-                    .first()
-                    .copied()?;
-        }
-        let names = function.parameters.iter();
-        let names = names.map(|parameter| parameter.name.to_string());
-        let scope: Scope = names.zip(arguments.into_iter().map(Some)).collect();
-        let mut replacements = BTreeMap::new();
-        for symbol in self.graph.symbols_of(&[derivative]) {
-            let placeholder = self.graph.symbol(symbol).clone();
-            if placeholder.role == role {
-                replacements.insert(symbol, self.resolve(&placeholder.name, &scope, span)?);
-            }
-        }
-        let result = self.graph.substitute(&[derivative], &replacements);
-        result.first().map(|id| Value::Number(*id))
-    }
-
-    /// The symbols of that role that a partial is by.
-    fn derived_by(
-        &mut self,
-        function: &Function,
-        partial: &str,
-        role: &Role,
-        span: Span,
-    ) -> Option<Vec<SymbolId>> {
-        let mut names: Vec<(String, SymbolId)> = Vec::new();
-        // Also those that the value does not depend on: the partial by them is zero.
-        for (id, symbol) in self.graph.symbols() {
-            if symbol.role == *role {
-                names.push((identifier(&symbol.name), id));
-            }
-        }
-        let ways = partial
-            .strip_prefix("d_")
-            .map(|suffix| partial_symbols(suffix, &names))
-            .unwrap_or_default();
-        match ways.as_slice() {
-            [by] => return Some(by.clone()),
-            [] => {
-                let known: Vec<String> =
-                    names.iter().map(|(name, _)| format!("d_{name}")).collect();
-                let suffix = partial.strip_prefix("d_").unwrap_or(partial);
-                let hint = match alike(suffix, names.iter().map(|(name, _)| name.as_str())) {
-                    Some(known) => format!("did you mean `d_{known}`?"),
-                    None => format!(
-                        "its partials are {} and those by two of these names",
-                        known.join(", ")
-                    ),
-                };
-                self.diagnostics.error_with_hint(
-                    span,
-                    format!("`{}` has no partial `{partial}`", function.name()),
-                    hint,
-                );
-            }
-            ways => {
-                let name = |symbol: &SymbolId| format!("`{}`", self.graph.symbol(*symbol).name);
-                let ways: Vec<String> = ways
-                    .iter()
-                    .map(|by| by.iter().map(name).collect::<Vec<_>>().join(" and "))
-                    .collect();
-                self.diagnostics.error_with_hint(
-                    span,
-                    format!(
-                        "`{partial}` of `{}` may be that by {}",
-                        function.name(),
-                        ways.join(" or by ")
-                    ),
-                    "rename a parameter, so that there is one way to read it",
-                );
-            }
-        }
-        None
-    }
-
-    /// The number at `c.beta` or `a[0]` of a scope.
-    fn resolve(&mut self, path: &str, scope: &Scope, span: Span) -> Option<ExprId> {
-        let expression: Expr = syn::parse_str(path).ok()?;
-        let before = self.diagnostics.len();
-        let found = self.number(&expression, &mut scope.clone());
-        if found.is_none() {
-            self.diagnostics.split_off(before);
-            self.diagnostics.error_with_hint(
-                span,
-                format!("the argument has no `{path}`"),
-                "the formula's partial uses it",
-            );
-        }
-        found
     }
 
     /// `integral(|x| …, a..b)`
