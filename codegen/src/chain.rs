@@ -290,3 +290,141 @@ impl Building {
         columns.collect()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn taken(of: &str) -> Taken {
+        match of.split_once('.') {
+            Some((structure, name)) => Taken {
+                structure: Some(structure.to_owned()),
+                name: name.to_owned(),
+            },
+            None => Taken {
+                structure: None,
+                name: of.to_owned(),
+            },
+        }
+    }
+
+    /// A formula that computes each of its results from all that it takes; one with an equals sign passes on what it takes there.
+    fn member(name: &str, takes: &[&str], structure: Option<&str>, gives: &[&str]) -> Member {
+        let given = |result: &&str| {
+            let (name, passes) = match result.split_once('=') {
+                Some((name, place)) => (name, place.parse().ok()),
+                None => (*result, None),
+            };
+            Given {
+                name: name.to_owned(),
+                passes,
+                needs: passes
+                    .map_or_else(|| (0..takes.len()).collect(), |place: usize| vec![place]),
+            }
+        };
+        Member {
+            takes: takes.iter().map(|of| taken(of)).collect(),
+            structure: structure.map(ToOwned::to_owned),
+            gives: gives.iter().map(given).collect(),
+            name: name.to_owned(),
+            span: Span::call_site(),
+            rows: true,
+            staged: Vec::new(),
+        }
+    }
+
+    fn chain(members: &[Member]) -> Result<Chain, String> {
+        let mut diagnostics = Diagnostics::default();
+        Chain::of(members, &mut diagnostics).ok_or_else(|| diagnostics.to_tokens().to_string())
+    }
+
+    fn inputs(chain: &Chain, name: &str) -> u64 {
+        let column = chain.columns.iter().find(|column| column.name == name);
+        column.expect("a column of that name").inputs
+    }
+
+    #[test]
+    fn formulas_are_placed_after_what_they_take_from_and_know_their_inputs() {
+        let found = chain(&[
+            member("width", &["Beam.stiffness", "load"], None, &["width"]),
+            member(
+                "beam",
+                &["p.length"],
+                Some("Beam"),
+                &["stiffness", "length=0"],
+            ),
+            member(
+                "frequency",
+                &["Beam.length", "Beam.stiffness"],
+                None,
+                &["frequency"],
+            ),
+        ])
+        .unwrap();
+        let names: Vec<&str> = found
+            .columns
+            .iter()
+            .map(|column| column.name.as_str())
+            .collect();
+        assert_eq!(names, ["load", "length", "stiffness", "width", "frequency"]);
+        assert_eq!(found.inputs, 2);
+        assert_eq!(found.stages[0].member.name, "beam");
+        // What is passed on is the input itself, and no result of its own.
+        assert_eq!(found.stages[0].gives, [2, 1]);
+        assert_eq!(found.stages[0].wanted(), 0b01);
+        assert_eq!(inputs(&found, "stiffness"), 0b10);
+        assert_eq!(inputs(&found, "width"), 0b11);
+        assert_eq!(inputs(&found, "frequency"), 0b10);
+    }
+
+    #[test]
+    fn formulas_of_one_struct_are_alternatives_and_depend_on_the_inputs_of_all() {
+        let found = chain(&[
+            member("left", &["p.a"], Some("Loads"), &["moment"]),
+            member("deflection", &["Loads.moment"], None, &["deflection"]),
+            member("right", &["p.b"], Some("Loads"), &["moment"]),
+        ])
+        .unwrap();
+        assert_eq!(found.stages.len(), 2);
+        assert_eq!(inputs(&found, "deflection"), 0b11);
+    }
+
+    #[test]
+    fn a_formula_that_takes_what_is_made_of_its_own_result_is_refused() {
+        let refused = chain(&[
+            member("first", &["B.y"], Some("A"), &["x"]),
+            member("second", &["A.x"], Some("B"), &["y"]),
+        ]);
+        let message = refused.unwrap_err();
+        assert!(
+            message.contains("takes what is made of what it gives"),
+            "{message}"
+        );
+    }
+
+    #[test]
+    fn a_name_of_two_structs_is_told_by_its_struct() {
+        let found = chain(&[
+            member("one", &["p.a"], Some("One"), &["x"]),
+            member("two", &["One.x"], Some("Two"), &["x"]),
+        ])
+        .unwrap();
+        let names: Vec<&str> = found
+            .columns
+            .iter()
+            .map(|column| column.name.as_str())
+            .collect();
+        assert_eq!(names, ["a", "One_x", "Two_x"]);
+    }
+
+    #[test]
+    fn more_inputs_than_bits_are_refused() {
+        let names: Vec<String> = (0..65).map(|place| format!("p.x_{place}")).collect();
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        let message = chain(&[member("sum", &names, None, &["sum"])]).unwrap_err();
+        assert!(
+            message.contains("the chain has 65 inputs, more than 64"),
+            "{message}"
+        );
+    }
+}
