@@ -143,7 +143,7 @@
 //!
 //! **The function as written is the reference.** A generated form is taken only if it is finite wherever the author's form is,
 //! and its error is no larger than 64 times the author's: operation by operation as Rust evaluates it, partials as dual numbers
-//! or the reverse mode derive the author's operations one by one. That is looked at on some 400 points, of which many have zeros,
+//! or the reverse mode derive the author's operations one by one. That is looked at on some 400 points (fewer for formulas of more than 2,600 operations, down to some seventy), of which many have zeros,
 //! infinities, what is no number, the smallest and the largest numbers, or numbers of which differences nearly vanish
 //! ([`factor::probes`]), by running bounds of the errors and by the errors themselves in twice the digits
 //! ([`factor::rounding`]). Where no form with fewer operations passes, the code is the author's own, and its documentation says
@@ -168,7 +168,8 @@
 //!   `signum` is 0.
 //! - **Signs of zero and NaN.** A form may be 0 where the author's is −0, and finite where the author's is NaN: x − x is 0.
 //! - **Size.** Calls may be nested 256 deep, groups of tokens 128 deep; a chain of operators or methods may be of any length.
-//!   Searches stop at a stated number of looks ([`budget`]). Constants and exponents that grow too long while they are gathered
+//!   Searches stop at a stated number of looks ([`budget`]); of more than 2,000 operations one form in one order of extraction is
+//!   looked at. Constants and exponents that grow too long while they are gathered
 //!   leave the formula as it is written.
 //! - **Roots of 0.** A derivative is finite where every part of it is: that of $\sqrt{x^3}$ is, because it is written
 //!   $\tfrac32\sqrt x$. That of $\sqrt{x^4 + y^4}$ at the origin is 0 but comes out as $0\cdot\infty$, NaN; so does the one of
