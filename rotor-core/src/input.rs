@@ -7,6 +7,7 @@ use std::fmt;
 use std::ops::RangeInclusive;
 
 mod choice;
+pub mod name;
 mod variable;
 
 pub use choice::{CrackEdge, CrackModel, UnknownChoice};
@@ -14,6 +15,7 @@ pub use variable::Variable;
 
 /// The inputs of a rotor in SI units, not yet validated: see [`Rotor::new`](crate::jeffcott::rotor::Rotor::new) and [`INPUTS`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct RotorParameters {
     /// Mass $m_d$ of the disk, kg.
     pub disk_mass: f64,
@@ -193,6 +195,7 @@ impl Sizes {
 
 /// One numeric input of a rotor: its names, its unit, what it allows, and where it is kept.
 #[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
 pub struct NumericInput {
     /// The one name, such as `disk_mass`: column, Python argument, field of [`RotorParameters`].
     pub name: &'static str,

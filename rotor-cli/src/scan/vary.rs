@@ -6,9 +6,9 @@ use rotor_core::input::Variable;
 use rotor_core::input::{INPUTS, RotorParameters};
 use rotor_core::study::{Axis, ScanError};
 use rotor_core::unit::TIMES_REFERENCE_SPEED;
+use rotor_core::input::name::nearest;
 
 use crate::failure::Failure;
-use crate::nearest::nearest;
 
 /// An axis from the text of one `--vary`.
 ///
