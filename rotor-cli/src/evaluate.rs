@@ -14,17 +14,16 @@ use rotor_core::input::RotorParameters;
 use rotor_core::jeffcott::region::RegionKind;
 use rotor_core::jeffcott::rotor::Rotor;
 use rotor_core::quantity::Quantity;
+use rotor_core::reason;
 use rotor_core::study;
 use rotor_core::study::Reason;
 use rotor_core::study::table::TableError;
-use rotor_core::reason;
 use rotor_core::text::brief;
 
 use crate::command_line::EvaluateArguments;
 use crate::failure::{Failure, Outcome};
 use crate::files::Part;
 use crate::output;
-use crate::reasons;
 use crate::rotor_file;
 use columns::{Columns, ERROR};
 use inputs::Inputs;

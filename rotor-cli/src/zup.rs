@@ -2,12 +2,12 @@
 
 use std::fmt::Display;
 
-use rotor_core::text::significant;
 use rotor_core::jeffcott::region::{self, RegionKind};
 use rotor_core::jeffcott::rotor::Rotor;
 use rotor_core::jeffcott::zup::{
     NoZeroUnstablePoint, ZeroUnstablePoint, zup_angle, zup_depth, zup_position,
 };
+use rotor_core::text::significant;
 
 use crate::command_line::ZupArguments;
 use crate::failure::{Failure, Outcome};

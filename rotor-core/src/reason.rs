@@ -29,9 +29,7 @@ pub fn of_exact_ends(reason: &NoEnds) -> String {
 pub fn of_boundary(reason: &NoBoundary) -> String {
     match reason {
         NoBoundary::Closed => "the region is closed, its exact width is 0".to_owned(),
-        NoBoundary::NoWidth { .. } => {
-            "the region is closed, its width by Eq. (31) is 0".to_owned()
-        }
+        NoBoundary::NoWidth { .. } => "the region is closed, its width by Eq. (31) is 0".to_owned(),
         NoBoundary::Adjoined { speed } => format!(
             "another region adjoins at {speed:.6} × ω_st, growth rates do not tell the two apart"
         ),

@@ -1,8 +1,8 @@
 //! Which column of a table is which input, and which are carried through.
 
 use csv::ByteRecord;
-use rotor_core::input::{NumericInput, RotorParameters};
 use rotor_core::input::name::{CHOICES, meant};
+use rotor_core::input::{NumericInput, RotorParameters};
 use rotor_core::text::brief;
 
 use super::table::Row;
@@ -208,7 +208,8 @@ impl Columns {
                         .map_err(|why| format!("column `{}`: {why}", column.heading))?;
                     (input.set)(&mut parameters, value);
                 }
-                Input::Choice(name) => parameters.set_choice(name, text)
+                Input::Choice(name) => parameters
+                    .set_choice(name, text)
                     .map_err(|why| format!("column `{}`: {why}", column.heading))?,
             }
         }

@@ -10,7 +10,7 @@ use rotor_core::input::{NumericInput, RotorParameters};
 use rotor_core::quantity::Quantity;
 use rotor_core::study;
 use rotor_core::study::table::{self, Column, TableError};
-use rotor_core::warning::{INPUTS_IN_DOUBT, is_doubtful};
+use rotor_core::warning::{is_doubtful, is_watched};
 
 use super::columns::Columns;
 use super::source::{Piece, Read, text};
@@ -115,7 +115,7 @@ impl<'a> Inputs<'a> {
     /// The rows about whose rotors there is a doubt, as far as they can be read.
     pub(super) fn doubtful(&self) -> impl Iterator<Item = usize> {
         let columns = self.numbers.iter();
-        let columns = columns.filter(|(input, _)| INPUTS_IN_DOUBT.contains(&input.name));
+        let columns = columns.filter(|(input, _)| is_watched(input));
         let columns: Vec<_> = columns.collect();
         (0..self.len()).filter(move |&row| {
             let mut parameters = self.bases[self.base_of[row].unwrap_or(0)];

@@ -11,8 +11,8 @@ use rotor_core::jeffcott::region::RegionKind;
 use rotor_core::jeffcott::rotor::Rotor;
 use rotor_core::quantity::Quantity;
 use rotor_core::study::{self, Plan, Scan};
-use rotor_core::unit::TIMES_REFERENCE_SPEED;
 use rotor_core::text::shortest;
+use rotor_core::unit::TIMES_REFERENCE_SPEED;
 use rotor_plot::{
     Axis, Curve, Dash, Figure, Format, Map, Mark, Panel, Plot, PlotError, Ticks, levels,
 };

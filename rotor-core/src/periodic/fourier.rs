@@ -53,12 +53,7 @@ impl FourierMatrix {
     ///
     /// Whether all amplitudes have one square shape is checked where a [`PeriodicSystem`](super::PeriodicSystem) is made.
     #[must_use]
-    pub fn with_harmonic(
-        mut self,
-        order: usize,
-        cosine: DMatrix<f64>,
-        sine: DMatrix<f64>,
-    ) -> Self {
+    pub fn with_harmonic(mut self, order: usize, cosine: DMatrix<f64>, sine: DMatrix<f64>) -> Self {
         self.harmonics.push(Harmonic {
             order,
             cosine,
@@ -94,11 +89,8 @@ impl FourierMatrix {
     ) -> Option<Self> {
         let mut mapped = Self::constant(map(&self.constant)?);
         for harmonic in &self.harmonics {
-            mapped = mapped.with_harmonic(
-                harmonic.order,
-                map(&harmonic.cosine)?,
-                map(&harmonic.sine)?,
-            );
+            mapped =
+                mapped.with_harmonic(harmonic.order, map(&harmonic.cosine)?, map(&harmonic.sine)?);
         }
         Some(mapped)
     }
@@ -172,7 +164,8 @@ mod tests {
 
     #[test]
     fn a_harmonic_of_zeros_is_none() {
-        let matrix = FourierMatrix::constant(number(1.0)).with_harmonic(2, number(0.0), number(0.0));
+        let matrix =
+            FourierMatrix::constant(number(1.0)).with_harmonic(2, number(0.0), number(0.0));
         assert_eq!(matrix.order(), 0);
         assert_eq!(matrix.with_harmonic(1, number(0.0), number(1.0)).order(), 1);
     }

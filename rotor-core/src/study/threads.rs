@@ -24,11 +24,9 @@ mod on_all_cores {
         /// Where the system gives none.
         pub(in crate::study) fn new(count: Option<usize>) -> Result<Self, ScanError> {
             let pool = ThreadPoolBuilder::new().num_threads(count.unwrap_or(0));
-            pool.build()
-                .map(Self)
-                .map_err(|error| ScanError::Threads {
-                    reason: error.to_string(),
-                })
+            pool.build().map(Self).map_err(|error| ScanError::Threads {
+                reason: error.to_string(),
+            })
         }
 
         /// How many there are.
