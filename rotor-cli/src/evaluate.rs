@@ -14,18 +14,17 @@ use rotor_core::input::RotorParameters;
 use rotor_core::jeffcott::region::RegionKind;
 use rotor_core::jeffcott::rotor::Rotor;
 use rotor_core::quantity::Quantity;
+use rotor_core::reason;
 use rotor_core::study;
 use rotor_core::study::Reason;
 use rotor_core::study::table::TableError;
+use rotor_core::text::brief;
 
 use crate::command_line::EvaluateArguments;
-use crate::doubts::doubts;
 use crate::failure::{Failure, Outcome};
 use crate::files::Part;
 use crate::output;
-use crate::reasons;
 use crate::rotor_file;
-use crate::shown::brief;
 use columns::{Columns, ERROR};
 use inputs::Inputs;
 use results::{Encoding, Results};
@@ -146,11 +145,12 @@ fn name_of(path: &Path) -> String {
 
 /// A result, or why there is none. A zero of a region may be all that is left of a number too small for double precision.
 fn checked(rotor: &Rotor, quantity: Quantity, result: Result<f64, Reason>) -> Result<f64, String> {
-    let value = result.map_err(|reason| reasons::of_quantity(&reason))?;
-    let underflow = reasons::region_of(quantity)
+    let value = result.map_err(|reason| reason::of_quantity(&reason))?;
+    let underflow = quantity
+        .region()
         .filter(|_| value == 0.0)
         .and_then(|kind| Some((kind, rotor.coefficients().ok()?)))
-        .and_then(|(kind, c)| reasons::out_of_range(kind, &c));
+        .and_then(|(kind, c)| reason::out_of_range(kind, &c));
     underflow.map_or(Ok(value), Err)
 }
 
@@ -294,7 +294,7 @@ impl Evaluation {
         let mut results = self.quantities.iter().zip(values);
         results.any(|(quantity, column)| {
             let value = column[row];
-            value.is_nan() || (value == 0.0 && reasons::region_of(*quantity).is_some())
+            value.is_nan() || (value == 0.0 && quantity.region().is_some())
         })
     }
 
@@ -328,7 +328,7 @@ impl Evaluation {
         let read = piece.read(first);
         let parameters = self.columns.parameters(&read.row, &self.base);
         let rotor = parameters.ok().and_then(|p| Rotor::new(p).ok());
-        let warning = rotor.and_then(|rotor| doubts(&rotor).into_iter().next());
+        let warning = rotor.and_then(|rotor| rotor.warnings().into_iter().next());
         tally.doubtful = warning.map(|warning| Doubtful {
             rows,
             first: (read.row.line, warning),

@@ -2,10 +2,11 @@
 
 use std::io::Write as _;
 
+use rotor_core::file;
+
 use crate::command_line::InitArguments;
 use crate::failure::{Failure, Outcome};
 use crate::output::{self, Destination};
-use crate::rotor_file::template;
 
 /// Writes the file.
 ///
@@ -24,7 +25,7 @@ pub(crate) fn run(arguments: &InitArguments) -> Result<Outcome, Failure> {
     let mut destination = Destination::open(path)?;
     let name = destination.name();
     destination
-        .write_all(template().as_bytes())
+        .write_all(file::template().as_bytes())
         .map_err(|source| Failure::stream("write", name, source))?;
     destination.finish()?;
     if !to_stdout {

@@ -6,9 +6,10 @@ use std::path::{Path, PathBuf};
 
 use tempfile::{NamedTempFile, SpooledTempFile, TempDir};
 
+use rotor_core::text::escaped;
+
 use crate::failure::Failure;
 use crate::interrupt::{self, Unfinished};
-use crate::shown::escaped;
 use crate::table::wrapped;
 
 /// Writes a text to standard output.

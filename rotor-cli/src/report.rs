@@ -2,7 +2,6 @@
 
 mod analysis;
 mod figures;
-mod hill;
 mod html;
 mod tables;
 
@@ -10,7 +9,6 @@ use rayon::prelude::*;
 use rotor_plot::{Figure, PlotError};
 
 use crate::command_line::ReportArguments;
-use crate::doubts::doubts;
 use crate::failure::{Failure, Outcome};
 use crate::output::{self, StagedFolder};
 use crate::rotor_file;
@@ -37,7 +35,8 @@ pub(crate) fn run(arguments: &ReportArguments) -> Result<Outcome, Failure> {
     let analysis = Analysis::new(named)?;
     let heading = zup::heading(&analysis.named);
     let tables = tables::tables(&analysis);
-    let warnings = doubts(&analysis.named.rotor);
+    let warnings = analysis.named.rotor.warnings();
+    let warnings: Vec<String> = warnings.iter().map(ToString::to_string).collect();
     let written = folder.and_then(|folder| {
         let pictures = figures::figures(&analysis);
         write(folder, &pictures, |pictures| {

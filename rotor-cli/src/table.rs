@@ -2,6 +2,8 @@
 
 use std::fmt::Write as _;
 
+use rotor_core::text::significant;
+
 /// A table.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Table {
@@ -148,55 +150,9 @@ pub(crate) fn wrapped(sentence: &str, indent: &str) -> String {
     text
 }
 
-/// A number with so many significant digits, with an exponent where it is very small or large.
-pub(crate) fn significant(value: f64, digits: usize) -> String {
-    if value == 0.0 {
-        return "0".to_owned();
-    }
-    let scientific = format!("{value:.*e}", digits.saturating_sub(1));
-    let exponent: i32 = scientific
-        .rsplit('e')
-        .next()
-        .and_then(|exponent| exponent.parse().ok())
-        .unwrap_or(0);
-    if !(-5..=9).contains(&exponent) {
-        return scientific;
-    }
-    let decimals = digits as i32 - 1 - exponent;
-    format!("{value:.*}", usize::try_from(decimals).unwrap_or(0))
-}
-
-/// A number in the fewest letters that read back as the same one.
-pub(crate) fn shortest(value: f64) -> String {
-    let (plain, scientific) = (format!("{value}"), format!("{value:e}"));
-    if plain.len() <= scientific.len() + 3 {
-        plain
-    } else {
-        scientific
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn significant_digits_are_counted_from_the_first() {
-        assert_eq!(significant(0.0717331014860298, 6), "0.0717331");
-        assert_eq!(significant(646.37005720746, 6), "646.370");
-        assert_eq!(significant(-2.0e11, 4), "-2.000e11");
-        assert_eq!(significant(0.999_999_99, 4), "1.000");
-        assert_eq!(significant(1.2e-9, 2), "1.2e-9");
-        assert_eq!(significant(0.0, 6), "0");
-    }
-
-    #[test]
-    fn numbers_are_as_short_as_they_read() {
-        assert_eq!(shortest(2.0e11), "2e11");
-        assert_eq!(shortest(0.01188), "0.01188");
-        assert_eq!(shortest(10.43), "10.43");
-        assert_eq!(shortest(3.0e-7), "3e-7");
-    }
 
     #[test]
     fn no_line_of_a_wrapped_sentence_is_too_wide_and_no_word_is_lost() {

@@ -7,13 +7,13 @@ use rotor_core::jeffcott::rotor::Rotor;
 use rotor_core::jeffcott::zup::{
     NoZeroUnstablePoint, ZeroUnstablePoint, zup_angle, zup_depth, zup_position,
 };
+use rotor_core::text::significant;
 
 use crate::command_line::ZupArguments;
-use crate::doubts::doubts;
 use crate::failure::{Failure, Outcome};
 use crate::output;
 use crate::rotor_file::{self, NamedRotor};
-use crate::table::{Cell, Table, significant, wrapped};
+use crate::table::{Cell, Table, wrapped};
 
 /// Prints the zero unstable points.
 ///
@@ -22,7 +22,7 @@ use crate::table::{Cell, Table, significant, wrapped};
 /// Where the rotor cannot be read.
 pub(crate) fn run(arguments: &ZupArguments) -> Result<Outcome, Failure> {
     let named = rotor_file::load(arguments.file.as_deref())?;
-    for warning in doubts(&named.rotor) {
+    for warning in named.rotor.warnings() {
         output::remark(&format!("warning: {warning}"));
     }
     output::print(&format!(

@@ -4,6 +4,7 @@ use thiserror::Error;
 
 /// Why a growth rate, a frequency or a region's end could not be given.
 #[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
 pub enum StabilityError {
     /// A number lies outside the range in which the question has a meaning.
     #[error("{quantity} is {value}; allowed: {allowed}")]

@@ -3,10 +3,12 @@
 //! [`RotorParameters`] is plain data, [`INPUTS`] the table of its numeric fields with what each allows. Validation, files, columns
 //! and help texts all read this table.
 
+use std::f64::consts::TAU;
 use std::fmt;
 use std::ops::RangeInclusive;
 
 mod choice;
+pub mod name;
 mod variable;
 
 pub use choice::{CrackEdge, CrackModel, UnknownChoice};
@@ -14,6 +16,7 @@ pub use variable::Variable;
 
 /// The inputs of a rotor in SI units, not yet validated: see [`Rotor::new`](crate::jeffcott::rotor::Rotor::new) and [`INPUTS`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct RotorParameters {
     /// Mass $m_d$ of the disk, kg.
     pub disk_mass: f64,
@@ -193,6 +196,7 @@ impl Sizes {
 
 /// One numeric input of a rotor: its names, its unit, what it allows, and where it is kept.
 #[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
 pub struct NumericInput {
     /// The one name, such as `disk_mass`: column, Python argument, field of [`RotorParameters`].
     pub name: &'static str,
@@ -210,6 +214,8 @@ pub struct NumericInput {
     pub allowed: Allowed,
     /// The sizes that it has in machines as there are.
     pub(crate) sizes: Sizes,
+    /// The greatest size that it has in machines; what is greater is more likely in another unit.
+    pub(crate) greatest: f64,
     /// Reads it.
     pub get: fn(&RotorParameters) -> f64,
     /// Writes it.
@@ -227,11 +233,24 @@ macro_rules! input {
             description: $description,
             allowed: $allowed,
             sizes: $sizes,
+            greatest: f64::INFINITY,
             get: |parameters| parameters.$field,
             set: |parameters, value| parameters.$field = value,
         }
     };
 }
+
+impl NumericInput {
+    /// The row of an input that no machine has in a greater size.
+    const fn at_most(self, greatest: f64) -> Self {
+        Self { greatest, ..self }
+    }
+}
+
+/// In m: the shafts of the largest turbines have 70 m.
+const LONGEST_SHAFT: f64 = 100.0;
+/// In m: the radii of the largest shafts are about 1 m.
+const THICKEST_SHAFT: f64 = 2.0;
 
 const DISK_ASYMMETRY: Allowed = Allowed {
     lower: Bound::Excluded(-1.0),
@@ -258,13 +277,13 @@ const TABLE: [NumericInput; 12] = [
     input!(disk_polar_inertia, "disk", "polar_inertia", "I_p", "kg m²", Allowed::POSITIVE, Sizes::INERTIA, "polar inertia of the disk"),
     input!(disk_asymmetry, "disk", "asymmetry", "Δ_d", "", DISK_ASYMMETRY, Sizes::RATIO, "relative inertia asymmetry of the disk"),
     input!(disk_position_ratio, "disk", "position_ratio", "l_d/L", "", Allowed::INSIDE_SPAN, Sizes::INSIDE_SPAN, "position of the disk over the shaft's length"),
-    input!(shaft_length, "shaft", "length", "L", "m", Allowed::POSITIVE, Sizes::MEASURE, "length of the shaft between its supports"),
-    input!(shaft_radius, "shaft", "radius", "R", "m", Allowed::POSITIVE, Sizes::MEASURE, "radius of the shaft"),
+    input!(shaft_length, "shaft", "length", "L", "m", Allowed::POSITIVE, Sizes::MEASURE, "length of the shaft between its supports").at_most(LONGEST_SHAFT),
+    input!(shaft_radius, "shaft", "radius", "R", "m", Allowed::POSITIVE, Sizes::MEASURE, "radius of the shaft").at_most(THICKEST_SHAFT),
     input!(shaft_youngs_modulus, "shaft", "youngs_modulus", "E", "Pa", Allowed::POSITIVE, Sizes::MEASURE, "Young's modulus of the shaft"),
     input!(shaft_poissons_ratio, "shaft", "poissons_ratio", "ν", "", POISSONS_RATIO, Sizes::ANY, "Poisson's ratio of the shaft"),
     input!(crack_depth_ratio, "crack", "depth_ratio", "σ", "", CRACK_DEPTH, Sizes::RATIO, "depth of the crack over the shaft's radius"),
     input!(crack_position_ratio, "crack", "position_ratio", "l_c/L", "", Allowed::INSIDE_SPAN, Sizes::INSIDE_SPAN, "position of the crack over the shaft's length"),
-    input!(crack_angle, "crack", "angle", "φ", "rad", Allowed::FINITE, Sizes::ANY, "angle between the crack and the disk's major axis"),
+    input!(crack_angle, "crack", "angle", "φ", "rad", Allowed::FINITE, Sizes::ANY, "angle between the crack and the disk's major axis").at_most(TAU),
 ];
 
 impl NumericInput {

@@ -14,6 +14,8 @@
 //! | [`model`] | what makes a periodic system of a rotor |
 //! | [`quantity`] | every result by its name |
 //! | [`study`] | quantities over grids, samples and tables of rotors |
+//! | [`warning`], [`reason`] | what is odd about a rotor, and why a result is missing, in words |
+//! | `file` | rotors from TOML files; with the feature `toml` |
 //! | [`corrections`] | E1 to E13: what differs from the printed text, and why |
 //!
 //! ```
@@ -26,18 +28,42 @@
 //! assert!(width > 0.0);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! # Features
+//!
+//! | feature | what |
+//! |---|---|
+//! | `rayon` (default) | scans run on all cores; without it on the calling thread |
+//! | `serde` | `Serialize` and `Deserialize` for rotors, their inputs, coefficients and ends |
+//! | `toml` | the module `file` |
+//!
+//! Without features the crate needs no threads and no files and builds for `wasm32-unknown-unknown`.
 #[doc = include_str!("corrections.md")]
 pub mod corrections {}
 mod batch;
 pub mod equations;
 pub mod error;
+#[cfg(feature = "toml")]
+pub mod file;
 pub mod input;
 pub mod jeffcott;
 pub mod model;
 pub mod periodic;
 pub mod quantity;
+pub mod reason;
 pub mod study;
+pub mod text;
 pub mod unit;
+pub mod warning;
+
+/// What is shared between threads: this does not compile where one of these types cannot be.
+const _: () = {
+    const fn is_shared<T: Send + Sync>() {}
+    is_shared::<jeffcott::rotor::Rotor>();
+    is_shared::<equations::Coefficients>();
+    is_shared::<periodic::PeriodicSystem>();
+    is_shared::<study::Plan>();
+};
 
 /// The examples of README.md, compiled and run as documentation tests.
 #[cfg(doctest)]

@@ -17,6 +17,7 @@ use Subject::{AtSpeed, Plain, Region};
 /// A result that a rotor has, or has at a speed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(usize)]
+#[non_exhaustive]
 pub enum Quantity {
     /// Crack compliance $c_{11}$, Eq. (8a).
     C11,
@@ -76,6 +77,7 @@ pub enum Quantity {
 
 /// What a quantity is of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Subject {
     /// Of the rotor: a column of the chain of equations.
     Plain,
@@ -87,6 +89,7 @@ pub enum Subject {
 
 /// What is measured of an instability region.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Measure {
     /// Where it starts, Eqs. (15), (16).
     Start,

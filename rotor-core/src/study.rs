@@ -43,6 +43,7 @@ mod sample;
 mod sink;
 mod space;
 pub mod table;
+mod threads;
 
 use crate::input::RotorParameters;
 use crate::jeffcott::rotor::Rotor;

@@ -5,13 +5,15 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// For each room those that it may use. Arrows point one way: a room stands below all that it uses.
-const ALLOWED: [(&str, &[&str]); 11] = [
+const ALLOWED: [(&str, &[&str]); 15] = [
     ("unit", &[]),
-    ("input", &["unit"]),
+    ("text", &[]),
+    ("input", &["text", "unit"]),
+    ("warning", &["input", "text"]),
     ("equations", &["input"]),
     ("error", &[]),
     ("periodic", &["error"]),
-    ("jeffcott", &["equations", "error", "input"]),
+    ("jeffcott", &["equations", "error", "input", "warning"]),
     ("model", &["equations", "error", "jeffcott", "periodic"]),
     ("quantity", &["equations", "input", "jeffcott", "unit"]),
     (
@@ -19,6 +21,11 @@ const ALLOWED: [(&str, &[&str]); 11] = [
         &["equations", "error", "input", "jeffcott", "quantity"],
     ),
     ("study", &["batch", "input", "jeffcott", "quantity"]),
+    (
+        "reason",
+        &["equations", "error", "jeffcott", "periodic", "study"],
+    ),
+    ("file", &["input", "jeffcott", "text"]),
     ("corrections", &[]),
 ];
 

@@ -7,23 +7,16 @@ use nalgebra::DMatrix;
 use rotor_core::error::StabilityError;
 use rotor_core::jeffcott::rotor::Rotor;
 use rotor_core::model::Model;
-use rotor_core::periodic::{Harmonic, PeriodicSystem, hill, monodromy};
+use rotor_core::periodic::{FourierMatrix, PeriodicSystem, hill, monodromy};
 
 type TestResult = Result<(), Box<dyn Error>>;
 
 /// y'' + (a − 2q cos 2t) y = 0.
 fn mathieu(a: f64, q: f64) -> Result<PeriodicSystem, StabilityError> {
     let number = |x| DMatrix::from_element(1, 1, x);
-    let stiffness = Harmonic {
-        cosine: number(-2.0 * q),
-        ..Harmonic::constant(number(a))
-    };
-    PeriodicSystem::new(
-        2.0,
-        Harmonic::constant(number(1.0)),
-        Harmonic::constant(number(0.0)),
-        stiffness,
-    )
+    let stiffness =
+        FourierMatrix::constant(number(a)).with_harmonic(1, number(-2.0 * q), number(0.0));
+    PeriodicSystem::new(2.0, number(1.0), number(0.0), stiffness)
 }
 
 #[test]
@@ -79,6 +72,105 @@ fn hills_method_converges_with_the_harmonics_on_mathieus_equation() -> TestResul
     Ok(())
 }
 
+/// y'' + (a − 2α² + 4mα cos 2t + 2α² cos 4t) y = 0, the equation of Whittaker and Hill.
+fn whittaker_hill(m: f64, alpha: f64, a: f64) -> Result<PeriodicSystem, StabilityError> {
+    let number = |x| DMatrix::from_element(1, 1, x);
+    let square = 2.0 * alpha * alpha;
+    let stiffness = FourierMatrix::constant(number(a - square))
+        .with_harmonic(1, number(4.0 * m * alpha), number(0.0))
+        .with_harmonic(2, number(square), number(0.0));
+    PeriodicSystem::new(2.0, number(1.0), number(0.0), stiffness)
+}
+
+#[test]
+fn two_harmonics_change_stability_where_their_solutions_are_periodic() -> TestResult {
+    // m, a and whether the equation becomes stable with growing a. Put in, exp(α cos 2t) solves it for m = 1 and a = 0,
+    // exp(α cos 2t) cos t for m = 2 and a = 1 − 4α, exp(α cos 2t) sin t for m = 2 and a = 1 + 4α.
+    for alpha in [0.1, 0.7, 2.0] {
+        for (m, end, side) in [
+            (1.0, 0.0, 1.0),
+            (2.0, 1.0 - 4.0 * alpha, -1.0),
+            (2.0, 1.0 + 4.0 * alpha, 1.0),
+        ] {
+            let stable = whittaker_hill(m, alpha, end + side * 1e-8)?;
+            let unstable = whittaker_hill(m, alpha, end - side * 1e-8)?;
+            for (way, quiet, growing) in [
+                (
+                    "Hill",
+                    hill::growth_rate(&stable, 14)?,
+                    hill::growth_rate(&unstable, 14)?,
+                ),
+                (
+                    "monodromy",
+                    monodromy::growth_rate(&stable, 1e-13)?,
+                    monodromy::growth_rate(&unstable, 1e-13)?,
+                ),
+            ] {
+                assert!(quiet.abs() < 1e-7, "{way} α={alpha} a={end}: {quiet:e}");
+                assert!(growing > 1e-6, "{way} α={alpha} a={end}: {growing:e}");
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Two coupled motions whose mass, damping and stiffness all have a first and a second harmonic, or of which the mass
+/// does not vary.
+fn two_harmonics(frequency: f64, mass_varies: bool) -> Result<PeriodicSystem, StabilityError> {
+    let two = |rows: [f64; 4]| DMatrix::from_row_slice(2, 2, &rows);
+    let constant_mass = FourierMatrix::constant(two([1.0, 0.2, 0.2, 1.5]));
+    let mass = if mass_varies {
+        constant_mass
+            .with_harmonic(1, two([0.1, 0.05, 0.05, 0.0]), two([0.0, 0.1, 0.1, 0.2]))
+            .with_harmonic(2, two([0.1, 0.0, 0.0, -0.1]), two([0.05, 0.0, 0.0, 0.1]))
+    } else {
+        constant_mass
+    };
+    let damping = FourierMatrix::constant(two([0.02, -0.3, 0.3, 0.01]))
+        .with_harmonic(1, two([0.0, 0.1, 0.0, 0.0]), two([0.05, 0.0, 0.0, 0.0]))
+        .with_harmonic(2, two([0.0, 0.0, 0.1, 0.02]), two([0.0, 0.03, 0.0, 0.0]));
+    let stiffness = FourierMatrix::constant(two([1.0, -0.3, -0.3, 2.0]))
+        .with_harmonic(1, two([0.3, 0.0, 0.1, 0.2]), two([0.0, 0.2, 0.2, 0.0]))
+        .with_harmonic(2, two([0.2, 0.1, 0.1, -0.3]), two([0.1, 0.0, 0.0, 0.4]));
+    PeriodicSystem::new(frequency, mass, damping, stiffness)
+}
+
+#[test]
+fn both_ways_agree_on_systems_with_two_harmonics() -> TestResult {
+    let mut grow = 0;
+    for mass_varies in [false, true] {
+        for frequency in [0.9, 1.3, 1.7, 2.1, 2.6, 3.3] {
+            let system = two_harmonics(frequency, mass_varies)?;
+            let by_hill = hill::growth_rate(&system, 20)?;
+            let by_monodromy = monodromy::growth_rate(&system, 1e-13)?;
+            assert_relative_eq!(by_hill, by_monodromy, epsilon = 1e-9);
+            grow += usize::from(by_hill > 1e-3);
+        }
+    }
+    assert!((3..=12).contains(&grow), "{grow}");
+    Ok(())
+}
+
+#[test]
+fn half_the_frequency_makes_second_harmonics_of_first_ones() -> TestResult {
+    // Mathieu's equation again, its period counted twice: only the second harmonic is there.
+    let number = |x| DMatrix::from_element(1, 1, x);
+    for (a, q) in [(1.0, 1.0), (-3.0, 5.0)] {
+        let stiffness =
+            FourierMatrix::constant(number(a)).with_harmonic(2, number(-2.0 * q), number(0.0));
+        let twice = PeriodicSystem::new(1.0, number(1.0), number(0.0), stiffness)?;
+        assert_eq!(twice.order(), 2);
+        let once = hill::growth_rate(&mathieu(a, q)?, 20)?;
+        for growth in [
+            hill::growth_rate(&twice, 40)?,
+            monodromy::growth_rate(&twice, 1e-13)?,
+        ] {
+            assert_relative_eq!(growth, once, epsilon = 1e-9);
+        }
+    }
+    Ok(())
+}
+
 #[test]
 fn the_damped_asymmetric_shaft_ends_where_its_closed_form_does() -> TestResult {
     // (k₁ − Ω²)(k₂ − Ω²) + c²Ω² = 0 with k = 0.9 and 1.1, c = 0.04.
@@ -86,13 +178,13 @@ fn the_damped_asymmetric_shaft_ends_where_its_closed_form_does() -> TestResult {
         let two = |rows: [f64; 4]| DMatrix::from_row_slice(2, 2, &rows);
         let system = PeriodicSystem::new(
             2.0 * speed,
-            Harmonic::constant(DMatrix::identity(2, 2)),
-            Harmonic::constant(DMatrix::identity(2, 2) * 0.04),
-            Harmonic {
-                constant: DMatrix::identity(2, 2),
-                cosine: two([-0.1, 0.0, 0.0, 0.1]),
-                sine: two([0.0, -0.1, -0.1, 0.0]),
-            },
+            DMatrix::identity(2, 2),
+            DMatrix::identity(2, 2) * 0.04,
+            FourierMatrix::constant(DMatrix::identity(2, 2)).with_harmonic(
+                1,
+                two([-0.1, 0.0, 0.0, 0.1]),
+                two([0.0, -0.1, -0.1, 0.0]),
+            ),
         )?;
         Ok([
             hill::growth_rate(&system, 2)?,
@@ -121,7 +213,7 @@ fn periodic_systems_are_checked() -> TestResult {
     for tolerance in [0.0, 1e-17, f64::NAN] {
         assert!(monodromy::growth_rate(&system, tolerance).is_err());
     }
-    let square = |size| Harmonic::constant(DMatrix::identity(size, size));
+    let square = |size| DMatrix::<f64>::identity(size, size);
     assert!(matches!(
         PeriodicSystem::new(1.0, square(2), square(3), square(2)),
         Err(StabilityError::Shape {
@@ -131,6 +223,22 @@ fn periodic_systems_are_checked() -> TestResult {
             expected: 2
         })
     ));
+    let uneven = FourierMatrix::constant(square(2)).with_harmonic(3, square(2), square(1));
+    assert!(matches!(
+        PeriodicSystem::new(1.0, square(2), square(2), uneven),
+        Err(StabilityError::Shape {
+            matrix: "stiffness",
+            rows: 1,
+            ..
+        })
+    ));
     assert!(PeriodicSystem::new(0.0, square(2), square(2), square(2)).is_err());
+    let singular = PeriodicSystem::new(1.0, square(2) * 0.0, square(2), square(2))?;
+    for growth in [
+        hill::growth_rate(&singular, 1),
+        monodromy::growth_rate(&singular, 1e-9),
+    ] {
+        assert_eq!(growth, Err(StabilityError::SingularMass { time: 0.0 }));
+    }
     Ok(())
 }

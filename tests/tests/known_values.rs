@@ -7,7 +7,7 @@ use rotor_core::input::RotorParameters;
 use rotor_core::jeffcott::exact::Ends;
 use rotor_core::jeffcott::region::{self, RegionKind};
 use rotor_core::jeffcott::rotor::Rotor;
-use rotor_core::periodic::{Harmonic, PeriodicSystem, hill, monodromy};
+use rotor_core::periodic::{FourierMatrix, PeriodicSystem, hill, monodromy};
 use rotor_tests::{Record, number, relative_error, table};
 
 /// The tables give ten digits or more; a boundary that is looked for costs a few.
@@ -97,12 +97,9 @@ fn characteristic_values_of_mathieus_equation() {
     for row in rows("mathieu") {
         let (q, expected) = (parameter(&row, "q"), number(&row, "value"));
         let system = |a: f64| {
-            let stiffness = Harmonic {
-                cosine: one(-2.0 * q),
-                ..Harmonic::constant(one(a))
-            };
-            let (mass, damping) = (Harmonic::constant(one(1.0)), Harmonic::constant(one(0.0)));
-            PeriodicSystem::new(2.0, mass, damping, stiffness).unwrap()
+            let stiffness =
+                FourierMatrix::constant(one(a)).with_harmonic(1, one(-2.0 * q), one(0.0));
+            PeriodicSystem::new(2.0, one(1.0), one(0.0), stiffness).unwrap()
         };
         for (way, growth) in [
             ("Hill", by_hill as fn(&PeriodicSystem) -> f64),
@@ -123,13 +120,13 @@ fn asymmetric_shaft(speed: f64, damping: f64) -> PeriodicSystem {
     let two = |rows: [f64; 4]| DMatrix::from_row_slice(2, 2, &rows);
     PeriodicSystem::new(
         2.0 * speed,
-        Harmonic::constant(DMatrix::identity(2, 2)),
-        Harmonic::constant(DMatrix::identity(2, 2) * damping),
-        Harmonic {
-            constant: DMatrix::identity(2, 2),
-            cosine: two([-0.1, 0.0, 0.0, 0.1]),
-            sine: two([0.0, -0.1, -0.1, 0.0]),
-        },
+        DMatrix::identity(2, 2),
+        DMatrix::identity(2, 2) * damping,
+        FourierMatrix::constant(DMatrix::identity(2, 2)).with_harmonic(
+            1,
+            two([-0.1, 0.0, 0.0, 0.1]),
+            two([0.0, -0.1, -0.1, 0.0]),
+        ),
     )
     .unwrap()
 }

@@ -1,13 +1,12 @@
 //! Which column of a table is which input, and which are carried through.
 
 use csv::ByteRecord;
+use rotor_core::input::name::{CHOICES, meant};
 use rotor_core::input::{NumericInput, RotorParameters};
+use rotor_core::text::brief;
 
 use super::table::Row;
 use crate::failure::Failure;
-use crate::nearest::meant;
-use crate::rotor_file::{CHOICES, set_choice};
-use crate::shown::brief;
 
 /// The column that says why a result is missing.
 pub(crate) const ERROR: &str = "error";
@@ -26,10 +25,10 @@ impl Input {
         }
         CHOICES
             .iter()
-            .find(|(flat, section, key)| {
-                *flat == name || name.split_once('.') == Some((section, key))
+            .find(|choice| {
+                choice.name == name || name.split_once('.') == Some((choice.section, choice.key))
             })
-            .map(|(flat, ..)| Self::Choice(flat))
+            .map(|choice| Self::Choice(choice.name))
     }
 
     fn name(self) -> &'static str {
@@ -209,7 +208,8 @@ impl Columns {
                         .map_err(|why| format!("column `{}`: {why}", column.heading))?;
                     (input.set)(&mut parameters, value);
                 }
-                Input::Choice(name) => set_choice(&mut parameters, name, text)
+                Input::Choice(name) => parameters
+                    .set_choice(name, text)
                     .map_err(|why| format!("column `{}`: {why}", column.heading))?,
             }
         }

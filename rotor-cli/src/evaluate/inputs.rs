@@ -10,11 +10,10 @@ use rotor_core::input::{NumericInput, RotorParameters};
 use rotor_core::quantity::Quantity;
 use rotor_core::study;
 use rotor_core::study::table::{self, Column, TableError};
+use rotor_core::warning::{is_doubtful, is_watched};
 
 use super::columns::Columns;
 use super::source::{Piece, Read, text};
-use crate::doubts::{self, is_doubtful};
-use crate::rotor_file::set_choice;
 
 /// The inputs of some rows.
 pub(super) struct Inputs<'a> {
@@ -78,7 +77,7 @@ impl<'a> Inputs<'a> {
             let mut parameters = *base;
             let readable = choices.iter().all(|&(index, name)| {
                 let cell = text(batch.column(index), row).unwrap_or_default();
-                set_choice(&mut parameters, name, cell.trim()).is_ok()
+                parameters.set_choice(name, cell.trim()).is_ok()
             });
             inputs.add_row(Some(&parameters).filter(|_| readable));
         }
@@ -116,7 +115,7 @@ impl<'a> Inputs<'a> {
     /// The rows about whose rotors there is a doubt, as far as they can be read.
     pub(super) fn doubtful(&self) -> impl Iterator<Item = usize> {
         let columns = self.numbers.iter();
-        let columns = columns.filter(|(input, _)| doubts::ABOUT.contains(&input.name));
+        let columns = columns.filter(|(input, _)| is_watched(input));
         let columns: Vec<_> = columns.collect();
         (0..self.len()).filter(move |&row| {
             let mut parameters = self.bases[self.base_of[row].unwrap_or(0)];

@@ -3,10 +3,12 @@
 use rotor_core::equations::{Coefficients, CrackCompliance};
 use rotor_core::jeffcott::exact::{self, Ends};
 use rotor_core::jeffcott::region::{self, RegionKind};
+use rotor_core::model::{Model, confirm_ends};
+use rotor_core::periodic::boundary::{self, Boundary, NoBoundary};
+use rotor_core::reason;
+use thiserror::Error;
 
-use super::hill::{self, HillEnds, NoHillEnds};
 use crate::failure::Failure;
-use crate::reasons;
 use crate::rotor_file::NamedRotor;
 
 /// The relative difference between Hill's and the exact width above which the report's check fails, where rounding
@@ -15,6 +17,17 @@ const AGREEMENT: f64 = 1e-6;
 /// Speeds at which the motion between two ends is looked at, and how near to the ends between them, over these.
 const BETWEEN: u32 = 64;
 const BESIDE: f64 = 1e-6;
+
+/// Why there are no ends by Hill's method.
+#[derive(Clone, Debug, Error)]
+pub(crate) enum NoHillEnds {
+    /// The other regions leave no room to look for them.
+    #[error("{0}")]
+    Untold(String),
+    /// Its growth rates do not show them.
+    #[error("{}", reason::of_boundary(.0))]
+    Boundary(#[from] NoBoundary),
+}
 
 /// A rotor and what follows from it.
 #[derive(Clone, Debug)]
@@ -43,7 +56,7 @@ pub(crate) struct Region {
     /// Its exact ends, or why there are none.
     pub(crate) exact: Result<Ends, String>,
     /// Its ends by Hill's method, or why they are not told.
-    pub(crate) hill: Result<HillEnds, NoHillEnds>,
+    pub(crate) hill: Result<Boundary, NoHillEnds>,
 }
 
 impl Region {
@@ -58,7 +71,7 @@ impl Region {
     /// Relative difference of Hill's width to the exact one.
     pub(crate) fn hill_difference(&self) -> Option<f64> {
         relative(
-            self.hill.as_ref().ok()?.ends.width(),
+            self.hill.as_ref().ok()?.width(),
             self.exact.as_ref().ok()?.width(),
         )
     }
@@ -70,7 +83,7 @@ impl Region {
                 .hill_difference()
                 .is_none_or(|difference| difference.abs() <= AGREEMENT.max(hill.rounding)),
             Err(NoHillEnds::Untold(_)) => true,
-            Err(NoHillEnds::Contradiction { .. } | NoHillEnds::Failed(_)) => false,
+            Err(NoHillEnds::Boundary(why)) => !why.is_contradiction(),
         }
     }
 
@@ -109,7 +122,7 @@ impl Analysis {
         let reference_speed = rotor.reference_speed().map_err(failed)?;
         let out_of_range = RegionKind::ALL
             .into_iter()
-            .find_map(|kind| reasons::out_of_range(kind, &coefficients));
+            .find_map(|kind| reason::out_of_range(kind, &coefficients));
         if let Some(why) = out_of_range {
             return Err(Failure::input(format!("{}: {why}", named.name)));
         }
@@ -191,9 +204,9 @@ fn hill_ends(
     region: &Region,
     known: &[(RegionKind, Ends)],
     unstable_from: Option<f64>,
-) -> Result<HillEnds, NoHillEnds> {
+) -> Result<Boundary, NoHillEnds> {
     if let Ok(exact) = region.exact {
-        return hill::ends_near(c, exact);
+        return Ok(confirm_ends(c, exact)?);
     }
     let untold = |why: String| Err(NoHillEnds::Untold(why));
     if let Some(lower) = unstable_from.filter(|lower| *lower <= region.start) {
@@ -214,8 +227,8 @@ fn hill_ends(
         Ok(width) => *width,
         Err(why) => return untold(why.clone()),
     };
-    let found = hill::ends_about(c, region.start, width)?;
-    let overlaps = |ends: &Ends| ends.lower <= found.ends.upper && found.ends.lower <= ends.upper;
+    let found = boundary::search(|speed| c.growth_rate(speed), region.start, width)?;
+    let overlaps = |ends: &Ends| ends.lower <= found.upper && found.lower <= ends.upper;
     match known.iter().find(|(_, ends)| overlaps(ends)) {
         Some((kind, _)) => untold(format!(
             "growth goes on from its start into the {}",
@@ -230,7 +243,7 @@ fn without_hill(kind: RegionKind, c: &Coefficients) -> Result<Region, String> {
     Ok(Region {
         start,
         width: region::width(kind, c).map_err(|error| error.to_string()),
-        exact: region::exact_ends(kind, c).map_err(|error| reasons::of_exact_ends(&error)),
+        exact: region::exact_ends(kind, c).map_err(|error| reason::of_exact_ends(&error)),
         hill: Err(NoHillEnds::Untold("not computed".to_owned())),
     })
 }
@@ -268,7 +281,7 @@ mod tests {
         assert_eq!(failed(&analysis), []);
         let region = analysis.regions[1].1.as_mut().unwrap();
         let hill = region.hill.as_mut().unwrap();
-        hill.ends.upper += 1e-5 * hill.ends.width();
+        hill.upper += 1e-5 * hill.width();
         assert_eq!(failed(&analysis), [RegionKind::Combination]);
     }
 
@@ -276,10 +289,12 @@ mod tests {
     fn a_failure_of_hills_method_fails_the_check() {
         let mut analysis = paper(|_| {});
         let (_, region) = &mut analysis.regions[0];
-        region.as_mut().unwrap().hill = Err(NoHillEnds::Failed(StabilityError::NoConvergence {
-            what: "the Schur form",
-            iterations: 1,
-        }));
+        region.as_mut().unwrap().hill = Err(NoHillEnds::Boundary(NoBoundary::Failed(
+            StabilityError::NoConvergence {
+                what: "the Schur form",
+                iterations: 1,
+            },
+        )));
         assert_eq!(failed(&analysis), [RegionKind::Simple]);
     }
 
@@ -383,7 +398,7 @@ mod tests {
         let mut region = without_hill(RegionKind::Simple, &c).unwrap();
         let ends = region.exact.clone().unwrap();
         region.exact = Err("not found".to_owned());
-        let found = hill_ends(&c, &region, &[], None).unwrap().ends;
+        let found = hill_ends(&c, &region, &[], None).unwrap();
         assert!((found.width() / ends.width() - 1.0).abs() < 1e-6);
         let other = [(RegionKind::Combination, ends)];
         let why = hill_ends(&c, &region, &other, None)

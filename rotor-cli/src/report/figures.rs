@@ -10,11 +10,10 @@ use rotor_core::equations::Coefficients;
 use rotor_core::input::RotorParameters;
 use rotor_core::jeffcott::region::{self, NoRegion, RegionKind};
 use rotor_core::jeffcott::rotor::Rotor;
+use rotor_core::text::{shortened, shortest};
 use rotor_plot::{Axis, Curve, Dash, Figure, Mark, Panel, Plot, Ticks};
 
 use super::analysis::Analysis;
-use crate::shown::shortened;
-use crate::table::shortest;
 
 /// Crack depths of Fig. 6.
 const DEPTHS: [f64; 4] = [0.1, 0.2, 0.25, 0.3];
@@ -114,6 +113,7 @@ fn absence(kind: RegionKind, rotor: &Rotor) -> String {
                 RegionKind::Simple => "simple",
                 RegionKind::UpperSimple => "second simple",
                 RegionKind::Combination => "combination",
+                other => other.name(),
             };
             format!(
                 "no {region} region at β = {}",
@@ -212,8 +212,8 @@ fn panel(title: &str, x: Axis, y: Axis, curves: Vec<Curve>) -> Panel {
 /// `λ_s` or `λ_c`, and the letter of its panel.
 fn width_symbol(kind: RegionKind) -> &'static str {
     match kind {
-        RegionKind::Simple | RegionKind::UpperSimple => "λ_s",
         RegionKind::Combination => "λ_c",
+        _ => "λ_s",
     }
 }
 

@@ -6,9 +6,10 @@ use rotor_core::input::INPUTS;
 use rotor_core::jeffcott::exact::Ends;
 use rotor_core::jeffcott::region::RegionKind;
 use rotor_core::quantity::Quantity;
+use rotor_core::text::{shortest, significant};
 
 use super::analysis::{Analysis, Region};
-use crate::table::{Cell, Table, shortest, significant};
+use crate::table::{Cell, Table};
 use crate::zup;
 
 /// Digits of a dimensionless result, and of one in rad/s or rpm.
@@ -147,6 +148,7 @@ fn region_title(kind: RegionKind) -> String {
         RegionKind::Simple => "SIR, from ω₂ = Ω",
         RegionKind::UpperSimple => "second SIR, from ω₁ = Ω",
         RegionKind::Combination => "CIR, from ω₁ + ω₂ = 2Ω",
+        other => other.name(),
     };
     format!("{first}{} ({condition})", letters.as_str())
 }
@@ -184,7 +186,7 @@ fn region_table(analysis: &Analysis, kind: RegionKind, region: &Region) -> Table
         Ok(hill) => rows.push(speeds(
             analysis,
             "width by Hill's method, Eq. (40)",
-            hill.ends.width(),
+            hill.width(),
         )),
         Err(why) => notes.push(format!("No width by Hill's method: {why}.")),
     }

@@ -11,6 +11,7 @@ use rotor_core::jeffcott::region::RegionKind;
 use rotor_core::jeffcott::rotor::Rotor;
 use rotor_core::quantity::Quantity;
 use rotor_core::study::{self, Plan, Scan};
+use rotor_core::text::shortest;
 use rotor_core::unit::TIMES_REFERENCE_SPEED;
 use rotor_plot::{
     Axis, Curve, Dash, Figure, Format, Map, Mark, Panel, Plot, PlotError, Ticks, levels,
@@ -18,7 +19,6 @@ use rotor_plot::{
 
 use crate::failure::Failure;
 use crate::output::Destination;
-use crate::table::shortest;
 
 /// Most values of a curve, of each axis of a map, and of each axis that small maps stand for.
 const MOST: (usize, usize, usize) = (2001, 201, 4);
@@ -418,7 +418,7 @@ impl Drawing<'_> {
         };
         let closing = match kind {
             RegionKind::Combination => Quantity::CirZupAsymmetry,
-            RegionKind::Simple | RegionKind::UpperSimple => Quantity::SirZupAsymmetry,
+            _ => Quantity::SirZupAsymmetry,
         };
         let mut values = self.values(&[closing])?.pop().unwrap_or_default();
         for (point, value) in values.iter_mut().enumerate() {

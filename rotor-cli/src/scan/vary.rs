@@ -3,12 +3,12 @@
 use std::path::Path;
 
 use rotor_core::input::Variable;
+use rotor_core::input::name::nearest;
 use rotor_core::input::{INPUTS, RotorParameters};
 use rotor_core::study::{Axis, ScanError};
 use rotor_core::unit::TIMES_REFERENCE_SPEED;
 
 use crate::failure::Failure;
-use crate::nearest::nearest;
 
 /// An axis from the text of one `--vary`.
 ///

@@ -14,6 +14,7 @@ use crate::quantity::{Measure, Quantity, Subject};
 
 /// Why a rotor has no such quantity.
 #[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
 pub enum Reason {
     /// It has no coefficients in double precision.
     #[error(transparent)]

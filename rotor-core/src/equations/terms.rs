@@ -2,6 +2,7 @@
 
 /// The eight dimensionless numbers that decide stability: Eq. (12), the disk's asymmetry and the crack's angle.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Coefficients {
     /// Inertia ratio $\beta = I_p/I_d$.
     pub beta: f64,

@@ -5,9 +5,15 @@ use std::str::FromStr;
 
 use thiserror::Error;
 
+use super::RotorParameters;
+use crate::text::brief;
+
 /// How the crack's compliance enters the shaft's flexibility, Eq. (6), with E3 of the
 /// [corrections](crate::corrections).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+#[non_exhaustive]
 pub enum CrackModel {
     /// Eq. (6) with the lever arm $-l_c$. Reproduces the zero unstable points of Section 4.
     #[default]
@@ -34,6 +40,8 @@ impl CrackModel {
 
 /// How much of the crack's edge the lateral moment opens: the factor of $c_{44}$ in Eq. (8d), E6.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum CrackEdge {
     /// The half that the moment opens, factor 32, as in the paper.
     #[default]
@@ -77,7 +85,7 @@ impl fmt::Display for CrackEdge {
 
 /// A name that is none of the choices of an input.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[error("{input} is \"{found}\"; it must be one of {allowed}")]
+#[error("{input} is \"{}\"; it must be one of {allowed}", brief(.found))]
 pub struct UnknownChoice {
     /// The input, such as `crack_model`.
     pub input: &'static str,
@@ -85,6 +93,20 @@ pub struct UnknownChoice {
     pub found: String,
     /// The choices, separated by commas.
     pub allowed: String,
+}
+
+impl RotorParameters {
+    /// Sets an input that is a [choice](super::name::CHOICES), by its name and the name of what is chosen.
+    ///
+    /// # Errors
+    /// Where the text is none of the choices.
+    pub fn set_choice(&mut self, name: &str, text: &str) -> Result<(), UnknownChoice> {
+        match name {
+            "crack_edge" => self.crack_edge = text.parse()?,
+            _ => self.crack_model = text.parse()?,
+        }
+        Ok(())
+    }
 }
 
 impl FromStr for CrackModel {

@@ -15,6 +15,7 @@ use crate::jeffcott::rotor::{LoadCase, NoCoefficients, Rotor};
 
 /// The unstable regions a rotor can have on isotropic rigid supports.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum RegionKind {
     /// The simple region (SIR) where $\omega_2 = \Omega$, Eq. (15).
     Simple,
@@ -73,6 +74,7 @@ impl fmt::Display for RegionKind {
 
 /// Why a rotor has no such region, or the region no such quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[non_exhaustive]
 pub enum NoRegion {
     /// The whirl frequencies never meet the region's condition at this inertia ratio.
     #[error(
@@ -133,6 +135,7 @@ pub enum NoRegion {
 
 /// Why a width has no gradient.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[non_exhaustive]
 pub enum NoGradient {
     /// The rotor has no coefficients in double precision.
     #[error(transparent)]
@@ -279,6 +282,7 @@ pub fn zup_asymmetry(kind: RegionKind, c: &Coefficients) -> Result<f64, NoRegion
 
 /// Why the exact ends of a region could not be given.
 #[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
 pub enum NoEnds {
     /// The rotor has no such region.
     #[error(transparent)]

@@ -11,9 +11,11 @@ use thiserror::Error;
 
 use crate::equations::{self, Coefficients, CrackCompliance, SectionLoads, Stiffness};
 use crate::input::{CrackModel, INPUTS, NumericInput, RotorParameters};
+use crate::warning::{self, Warning};
 
 /// Why inputs describe no rotor.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[non_exhaustive]
 pub enum InvalidRotor {
     /// An input is outside the values it allows, or not a finite number.
     #[error("{name} is {value}{space}{unit}; it must be {allowed}",
@@ -40,25 +42,9 @@ pub enum InvalidRotor {
     },
 }
 
-/// Something a valid rotor should not have, which does not keep it from being computed.
-#[derive(Clone, Copy, Debug, PartialEq, Error)]
-pub enum Warning {
-    /// $2|\Delta_d| > \beta$ breaks the triangle inequality of the moments of inertia.
-    #[error(
-        "disk_asymmetry is {disk_asymmetry}, but a rigid body with beta = {beta} has at most \
-         beta / 2 = {limit}: its moments of inertia would break the triangle inequality",
-        limit = .beta / 2.0
-    )]
-    TriangleInequality {
-        /// $\Delta_d$.
-        disk_asymmetry: f64,
-        /// $\beta = I_p/I_d$.
-        beta: f64,
-    },
-}
-
 /// Why a valid rotor has no coefficients in double precision.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[non_exhaustive]
 pub enum NoCoefficients {
     /// The inputs are so extreme that a derived quantity overflows or loses all its digits.
     #[error(
@@ -85,21 +71,48 @@ pub enum NoCoefficients {
 }
 
 /// A rotor whose inputs have passed [`INPUTS`] and $\beta \le 2$.
+///
+/// With the feature `serde` it is read and written as its inputs; what is read is validated.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(try_from = "RotorParameters", into = "RotorParameters")
+)]
 pub struct Rotor {
     parameters: RotorParameters,
 }
 
 impl Default for Rotor {
-    /// The rotor of the paper.
+    /// [The rotor of the paper](Rotor::paper).
     fn default() -> Self {
-        Self {
-            parameters: RotorParameters::PAPER,
-        }
+        Self::paper()
+    }
+}
+
+impl TryFrom<RotorParameters> for Rotor {
+    type Error = InvalidRotor;
+
+    fn try_from(parameters: RotorParameters) -> Result<Self, InvalidRotor> {
+        Self::new(parameters)
+    }
+}
+
+impl From<Rotor> for RotorParameters {
+    fn from(rotor: Rotor) -> Self {
+        rotor.parameters
     }
 }
 
 impl Rotor {
+    /// The rotor of the paper's Section 4.
+    #[must_use]
+    pub const fn paper() -> Self {
+        Self {
+            parameters: RotorParameters::PAPER,
+        }
+    }
+
     /// Validates the inputs.
     ///
     /// # Errors
@@ -140,14 +153,7 @@ impl Rotor {
 
     /// What is doubtful about the rotor, though it can be computed.
     pub fn warnings(&self) -> Vec<Warning> {
-        let mut warnings = Vec::new();
-        if self.parameters.exceeds_rigid_body() {
-            warnings.push(Warning::TriangleInequality {
-                disk_asymmetry: self.parameters.disk_asymmetry,
-                beta: self.parameters.inertia_ratio(),
-            });
-        }
-        warnings
+        warning::warnings(&self.parameters).collect()
     }
 
     /// Additional compliance of the crack, Eq. (8); zero without a crack.

@@ -15,6 +15,7 @@ use roots::Sample;
 
 /// A point at which a region is closed: its width, Eq. (31), is zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct ZeroUnstablePoint {
     /// The crack's depth ratio or position ratio, whichever was asked for.
     pub value: f64,
@@ -24,6 +25,7 @@ pub struct ZeroUnstablePoint {
 
 /// Why zero unstable points could not be looked for: the reason at the first value tried.
 #[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
 pub enum NoZeroUnstablePoint {
     /// The rotor has no such region, or the region nothing that closes it.
     #[error(transparent)]

@@ -5,8 +5,9 @@ use nalgebra::DMatrix;
 use super::Model;
 use crate::equations::Coefficients;
 use crate::error::{StabilityError, require};
-use crate::jeffcott::exact::{check_coefficients, sine_and_cosine_of_double};
-use crate::periodic::{Harmonic, PeriodicSystem};
+use crate::jeffcott::exact::{self, Ends, check_coefficients, sine_and_cosine_of_double};
+use crate::periodic::boundary::{self, Boundary, NoBoundary};
+use crate::periodic::{FourierMatrix, PeriodicSystem};
 
 impl Model for Coefficients {
     /// The rotor in the fixed frame at the speed Ω > 0, Eqs. (11) and (12) with q = [x, y, θ_y, θ_x], dimensionless: times in
@@ -61,22 +62,40 @@ impl Model for Coefficients {
         let frequency = 2.0 * speed;
         PeriodicSystem::new(
             frequency,
-            Harmonic {
-                constant: DMatrix::identity(4, 4),
-                cosine: mass_cosine.clone(),
-                sine: mass_sine.clone(),
-            },
+            FourierMatrix::constant(DMatrix::identity(4, 4)).with_harmonic(
+                1,
+                mass_cosine.clone(),
+                mass_sine.clone(),
+            ),
             // d/dt of the varying mass.
-            Harmonic {
-                constant: gyroscopic,
-                cosine: mass_sine * frequency,
-                sine: mass_cosine * -frequency,
-            },
-            Harmonic {
-                constant: shaft,
-                cosine: &crack_cosine * cosine + &crack_sine * sine,
-                sine: crack_sine * cosine - crack_cosine * sine,
-            },
+            FourierMatrix::constant(gyroscopic).with_harmonic(
+                1,
+                mass_sine * frequency,
+                mass_cosine * -frequency,
+            ),
+            FourierMatrix::constant(shaft).with_harmonic(
+                1,
+                &crack_cosine * cosine + &crack_sine * sine,
+                crack_sine * cosine - crack_cosine * sine,
+            ),
         )
     }
+
+    /// One: the supports are isotropic, and in the frame that turns with the rotor nothing varies.
+    fn harmonics(&self) -> usize {
+        1
+    }
+}
+
+/// The ends of an instability region by Hill's method, near to the exact ones.
+///
+/// # Errors
+///
+/// As [`boundary::confirm`].
+pub fn confirm_ends(c: &Coefficients, exact: Ends) -> Result<Boundary, NoBoundary> {
+    boundary::confirm(
+        |speed| c.growth_rate(speed),
+        exact.lower..=exact.upper,
+        |speed| exact::growth_rate(c, speed),
+    )
 }

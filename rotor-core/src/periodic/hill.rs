@@ -1,13 +1,14 @@
 //! Hill's method, Eqs. (33)–(40): the exponents of a periodic system from one constant eigenproblem.
 //!
 //! With q = e^{μt} Σ q_k e^{ikνt}, |k| ≤ h, and λ_k = μ + ikν, the harmonic k of the equation of motion reads
-//! Σ_l (λ_l² M_{k−l} + λ_l C_{k−l} + K_{k−l}) q_l = 0, where the indices −1, 0, 1 of the matrices are their Fourier
-//! coefficients. (E11: in Eq. (40) the factor k of λ_k must be that of the harmonic that the matrix multiplies, l here.)
+//! Σ_l (λ_l² M_{k−l} + λ_l C_{k−l} + K_{k−l}) q_l = 0, where the indices of the matrices, from −K to K for matrices with
+//! K harmonics, are those of their Fourier coefficients: a matrix of blocks with K bands on each side of its diagonal. (E11: in Eq. (40) the factor k of λ_k must be that of the harmonic that the matrix multiplies, l here.)
 //! It is quadratic in μ and becomes a standard eigenproblem of twice the size.
 //!
 //! **Which eigenvalues count.** The untruncated problem has each exponent again as μ + imν for every whole m, with the
 //! eigenvector shifted by m harmonics. Truncation damages those copies whose eigenvectors reach the outermost
-//! harmonics: the equations it drops are those for |k| = h + 1, and their residual is q_{±h} times a coupling matrix.
+//! harmonics: the equations it drops are those for h < |k| ≤ h + K, and their residual is the outermost q_k times coupling
+//! matrices.
 //! So the sound copies are the central ones, not those with an imaginary part in a certain strip (the dominant
 //! harmonic of a fast whirl is far from the strip at a low speed). The centre Σ k|q_k|² / Σ|q_k|² moves by one from
 //! copy to copy, hence each exponent has a copy with a centre within ±1/2, and only those are kept.
@@ -27,8 +28,9 @@ const MOST_HARMONICS: usize = 1000;
 /// system's unit of time. Negative where every motion decays; of an undamped stable system rounding leaves about
 /// ±1e-13.
 ///
-/// The rotor on isotropic supports needs one harmonic; with none it would lose the instability. Other systems: increase
-/// it until the answer stays. The work grows with the cube of n (2·harmonics + 1).
+/// A rotor on isotropic supports needs one harmonic; with none it would lose the instability. Other systems: no less than
+/// their [order](PeriodicSystem::order), and more until the answer stays. The work grows with the cube of
+/// n (2·harmonics + 1).
 ///
 /// # Errors
 ///
@@ -95,14 +97,15 @@ fn companion_matrix(
     let n = system.degrees_of_freedom();
     let blocks = 2 * harmonics + 1;
     let half = n * blocks;
-    let [mass, damping, stiffness] = system.matrices().map(|matrix| matrix.fourier());
+    let order = system.order().min(2 * harmonics);
+    let [mass, damping, stiffness] = system.matrices().map(|matrix| matrix.coefficients(order));
     let mut quadratic = DMatrix::zeros(half, half);
     // −P₀ and −P₁ side by side.
     let mut lower = DMatrix::zeros(half, 2 * half);
     for column in 0..blocks {
         let rate = Complex::new(0.0, (column as f64 - harmonics as f64) * system.frequency());
-        for row in column.saturating_sub(1)..blocks.min(column + 2) {
-            let index = row + 1 - column;
+        for row in column.saturating_sub(order)..blocks.min(column + order + 1) {
+            let index = row + order - column;
             let (m, c, k) = (&mass[index], &damping[index], &stiffness[index]);
             let (at_row, at_column) = (n * row, n * column);
             quadratic.view_mut((at_row, at_column), (n, n)).copy_from(m);

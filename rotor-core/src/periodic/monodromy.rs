@@ -3,13 +3,18 @@
 //! The integrator is Gragg's modified midpoint rule with Richardson extrapolation (Bulirsch and Stoer): its error
 //! expands in even powers of the step, so nine rules give order 18, which suits smooth systems and tight tolerances.
 
+use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
+
 use nalgebra::{Complex, DMatrix, Schur};
 
-use super::system::PeriodicSystem;
+use super::system::{Accelerations, PeriodicSystem};
 use crate::error::{StabilityError, require};
 
 /// Substeps of the midpoint rules, extrapolated in this order.
 const SUBSTEPS: [u32; 9] = [2, 4, 6, 8, 10, 12, 14, 16, 18];
+/// A number that all of them divide: in these parts of a panel are the times of every rule.
+const PARTS: u32 = 5040;
 /// Rules after which a converged panel was easy, so that the next may be longer.
 const EASY: usize = 7;
 /// Cap on the number of panels in one period, failed ones included.
@@ -77,13 +82,15 @@ pub fn monodromy_matrix(
     )?;
     let size = 2 * system.degrees_of_freedom();
     let period = system.period();
+    let accelerations = system.accelerations()?;
     let mut state = DMatrix::identity(size, size);
     let (mut time, mut panel) = (0.0, 0.125 * period);
     for _ in 0..PANELS {
         let left = period - time;
         let last = panel >= left * (1.0 - 1e-10);
         let length = if last { left } else { panel };
-        match extrapolated(system, &state, time, length, tolerance)? {
+        let stretch = Panel::new(&accelerations, time, length);
+        match extrapolated(stretch, &state, tolerance)? {
             Some((next, _)) if last => return Ok(next),
             Some((next, rules)) => {
                 state = next;
@@ -101,18 +108,74 @@ pub fn monodromy_matrix(
     })
 }
 
+/// A stretch of time, and the accelerations at the times in it: most rules ask for times of the rules before them.
+struct Panel<'a> {
+    accelerations: &'a Accelerations<'a>,
+    start: f64,
+    length: f64,
+    known: BTreeMap<u32, DMatrix<f64>>,
+}
+
+impl<'a> Panel<'a> {
+    const fn new(accelerations: &'a Accelerations<'a>, start: f64, length: f64) -> Self {
+        Self {
+            accelerations,
+            start,
+            length,
+            known: BTreeMap::new(),
+        }
+    }
+
+    /// d/dt of [q; q̇] for each column of `state`, after so many of the panel's [`PARTS`].
+    fn derivative(
+        &mut self,
+        state: &DMatrix<f64>,
+        parts: u32,
+    ) -> Result<DMatrix<f64>, StabilityError> {
+        let matrix = match self.known.entry(parts) {
+            Entry::Occupied(known) => known.into_mut(),
+            Entry::Vacant(place) => {
+                let time = self.start + self.length * (f64::from(parts) / f64::from(PARTS));
+                place.insert(self.accelerations.at(time)?)
+            }
+        };
+        let n = state.nrows() / 2;
+        let mut result = DMatrix::zeros(2 * n, state.ncols());
+        result.rows_mut(0, n).copy_from(&state.rows(n, n));
+        matrix.mul_to(state, &mut result.rows_mut(n, n));
+        Ok(result)
+    }
+
+    /// The state at the end by Gragg's rule with `substeps` (even) steps and smoothing at the end.
+    fn midpoint(
+        &mut self,
+        state: &DMatrix<f64>,
+        substeps: u32,
+    ) -> Result<DMatrix<f64>, StabilityError> {
+        let step = self.length / f64::from(substeps);
+        let parts = PARTS / substeps;
+        let mut before = state.clone();
+        let mut here = state + self.derivative(state, 0)? * step;
+        for index in 1..substeps {
+            let slope = self.derivative(&here, index * parts)?;
+            let next = &before + slope * (2.0 * step);
+            before = std::mem::replace(&mut here, next);
+        }
+        let slope = self.derivative(&here, PARTS)?;
+        Ok((before + &here + slope * step) * 0.5)
+    }
+}
+
 /// The state after one panel and the number of rules it took, or `None` if the last of them still differed.
 fn extrapolated(
-    system: &PeriodicSystem,
+    mut panel: Panel<'_>,
     state: &DMatrix<f64>,
-    time: f64,
-    length: f64,
     tolerance: f64,
 ) -> Result<Option<(DMatrix<f64>, usize)>, StabilityError> {
     // The last row of the triangle of extrapolations, the highest order at its end.
     let mut row: Vec<DMatrix<f64>> = Vec::with_capacity(SUBSTEPS.len());
     for (rule, &substeps) in SUBSTEPS.iter().enumerate() {
-        let mut entry = midpoint(system, state, time, length, substeps)?;
+        let mut entry = panel.midpoint(state, substeps)?;
         for (column, coarser) in SUBSTEPS[..rule].iter().rev().enumerate() {
             let ratio = f64::from(substeps) / f64::from(*coarser);
             let better = &entry + (&entry - &row[column]) / (ratio * ratio - 1.0);
@@ -128,39 +191,4 @@ fn extrapolated(
         }
     }
     Ok(None)
-}
-
-/// Gragg's rule with `substeps` (even) steps and smoothing at the end.
-fn midpoint(
-    system: &PeriodicSystem,
-    state: &DMatrix<f64>,
-    time: f64,
-    length: f64,
-    substeps: u32,
-) -> Result<DMatrix<f64>, StabilityError> {
-    let step = length / f64::from(substeps);
-    let mut before = state.clone();
-    let mut here = state + derivative(system, state, time)? * step;
-    for index in 1..substeps {
-        let slope = derivative(system, &here, time + f64::from(index) * step)?;
-        let next = &before + slope * (2.0 * step);
-        before = std::mem::replace(&mut here, next);
-    }
-    let slope = derivative(system, &here, time + length)?;
-    Ok((before + &here + slope * step) * 0.5)
-}
-
-/// d/dt of [q; q̇], for each column of `state`.
-fn derivative(
-    system: &PeriodicSystem,
-    state: &DMatrix<f64>,
-    time: f64,
-) -> Result<DMatrix<f64>, StabilityError> {
-    let n = system.degrees_of_freedom();
-    let mut result = DMatrix::zeros(2 * n, state.ncols());
-    result.rows_mut(0, n).copy_from(&state.rows(n, n));
-    result
-        .rows_mut(n, n)
-        .copy_from(&(system.acceleration_matrix(time)? * state));
-    Ok(result)
 }

@@ -1,63 +1,22 @@
-//! Linear systems whose matrices carry one harmonic.
+//! Linear systems of second order whose matrices repeat.
 
-use nalgebra::{Complex, DMatrix};
+use nalgebra::DMatrix;
 
+use super::fourier::FourierMatrix;
 use crate::error::{StabilityError, require};
-
-/// A square matrix that varies as constant + cosine · cos ϑ + sine · sin ϑ, with ϑ = frequency × time.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Harmonic {
-    /// The mean.
-    pub constant: DMatrix<f64>,
-    /// The amplitude of cos ϑ.
-    pub cosine: DMatrix<f64>,
-    /// The amplitude of sin ϑ.
-    pub sine: DMatrix<f64>,
-}
-
-impl Harmonic {
-    /// A matrix that does not vary.
-    #[must_use]
-    pub fn constant(matrix: DMatrix<f64>) -> Self {
-        let zero = DMatrix::zeros(matrix.nrows(), matrix.ncols());
-        Self {
-            constant: matrix,
-            cosine: zero.clone(),
-            sine: zero,
-        }
-    }
-
-    /// The matrix at the angle ϑ.
-    #[must_use]
-    pub(super) fn at(&self, angle: f64) -> DMatrix<f64> {
-        let (sine, cosine) = angle.sin_cos();
-        &self.constant + &self.cosine * cosine + &self.sine * sine
-    }
-
-    /// The complex Fourier coefficients of e^{−iϑ}, 1 and e^{iϑ}.
-    pub(super) fn fourier(&self) -> [DMatrix<Complex<f64>>; 3] {
-        let up = self.cosine.zip_map(&self.sine, |cosine, sine| {
-            Complex::new(0.5 * cosine, -0.5 * sine)
-        });
-        [
-            up.map(|x| x.conj()),
-            self.constant.map(|x| Complex::new(x, 0.0)),
-            up,
-        ]
-    }
-}
 
 /// M(t) q̈ + C(t) q̇ + K(t) q = 0 with n degrees of freedom, all three matrices with the same angular frequency.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PeriodicSystem {
     frequency: f64,
-    mass: Harmonic,
-    damping: Harmonic,
-    stiffness: Harmonic,
+    mass: FourierMatrix,
+    damping: FourierMatrix,
+    stiffness: FourierMatrix,
 }
 
 impl PeriodicSystem {
-    /// A system of n × n matrices that vary with the angular `frequency` > 0; `damping` has the gyroscopic terms too.
+    /// A system of n × n matrices that vary with the angular `frequency` > 0 and its multiples; `damping` has the
+    /// gyroscopic terms too. A matrix that does not vary is given as it is.
     ///
     /// # Errors
     ///
@@ -65,19 +24,25 @@ impl PeriodicSystem {
     /// not finite, [`StabilityError::Shape`] where the matrices do not have one square shape.
     pub fn new(
         frequency: f64,
-        mass: Harmonic,
-        damping: Harmonic,
-        stiffness: Harmonic,
+        mass: impl Into<FourierMatrix>,
+        damping: impl Into<FourierMatrix>,
+        stiffness: impl Into<FourierMatrix>,
     ) -> Result<Self, StabilityError> {
         require("frequency", frequency, frequency > 0.0, "a positive number")?;
-        let expected = mass.constant.nrows().max(1);
-        for (name, harmonic) in [
-            ("mass", &mass),
-            ("damping", &damping),
-            ("stiffness", &stiffness),
+        let system = Self {
+            frequency,
+            mass: mass.into(),
+            damping: damping.into(),
+            stiffness: stiffness.into(),
+        };
+        let expected = system.degrees_of_freedom().max(1);
+        for (name, matrix) in [
+            ("mass", &system.mass),
+            ("damping", &system.damping),
+            ("stiffness", &system.stiffness),
         ] {
-            for matrix in [&harmonic.constant, &harmonic.cosine, &harmonic.sine] {
-                let (rows, columns) = matrix.shape();
+            for amplitude in matrix.amplitudes() {
+                let (rows, columns) = amplitude.shape();
                 if rows != expected || columns != expected {
                     return Err(StabilityError::Shape {
                         matrix: name,
@@ -86,22 +51,17 @@ impl PeriodicSystem {
                         expected,
                     });
                 }
-                if let Some(bad) = matrix.iter().find(|x| !x.is_finite()) {
+                if let Some(bad) = amplitude.iter().find(|x| !x.is_finite()) {
                     require("a matrix entry", *bad, false, "a finite number")?;
                 }
             }
         }
-        Ok(Self {
-            frequency,
-            mass,
-            damping,
-            stiffness,
-        })
+        Ok(system)
     }
 
     /// The angular frequency of the matrices.
     #[must_use]
-    pub fn frequency(&self) -> f64 {
+    pub const fn frequency(&self) -> f64 {
         self.frequency
     }
 
@@ -114,28 +74,84 @@ impl PeriodicSystem {
     /// The number of degrees of freedom n.
     #[must_use]
     pub fn degrees_of_freedom(&self) -> usize {
-        self.mass.constant.nrows()
+        self.mass.size()
+    }
+
+    /// The order of the highest harmonic of the three matrices.
+    #[must_use]
+    pub fn order(&self) -> usize {
+        let [mass, damping, stiffness] = self.matrices().map(FourierMatrix::order);
+        mass.max(damping).max(stiffness)
     }
 
     /// M, C and K.
-    pub(super) fn matrices(&self) -> [&Harmonic; 3] {
+    pub(super) const fn matrices(&self) -> [&FourierMatrix; 3] {
         [&self.mass, &self.damping, &self.stiffness]
     }
 
+    /// What gives the accelerations.
+    ///
+    /// # Errors
+    ///
+    /// [`StabilityError::SingularMass`] where the mass does not vary and cannot be inverted.
+    pub(super) fn accelerations(&self) -> Result<Accelerations<'_>, StabilityError> {
+        if self.mass.order() > 0 {
+            return Ok(Accelerations::VaryingMass(self));
+        }
+        let mass = self.mass.at(0.0).lu();
+        let over_mass = |matrix: &FourierMatrix| {
+            matrix
+                .mapped(|amplitude| mass.solve(amplitude))
+                .ok_or(StabilityError::SingularMass { time: 0.0 })
+        };
+        Ok(Accelerations::SteadyMass {
+            frequency: self.frequency,
+            damping: over_mass(&self.damping)?,
+            stiffness: over_mass(&self.stiffness)?,
+        })
+    }
+}
+
+/// The accelerations of a system, as a matrix times [q; q̇].
+pub(super) enum Accelerations<'a> {
+    /// Where the mass does not vary it is factored once, and M⁻¹C and M⁻¹K have the harmonics of C and K.
+    SteadyMass {
+        /// The angular frequency of the matrices.
+        frequency: f64,
+        /// M⁻¹C.
+        damping: FourierMatrix,
+        /// M⁻¹K.
+        stiffness: FourierMatrix,
+    },
+    /// Where it varies it is factored at every time.
+    VaryingMass(&'a PeriodicSystem),
+}
+
+impl Accelerations<'_> {
     /// [−M⁻¹K, −M⁻¹C] at a time: the lower half (n × 2n) of the state matrix of [q; q̇].
-    pub(super) fn acceleration_matrix(&self, time: f64) -> Result<DMatrix<f64>, StabilityError> {
-        let n = self.degrees_of_freedom();
-        let angle = self.frequency * time;
-        let mut forces = DMatrix::zeros(n, 2 * n);
-        forces
-            .columns_mut(0, n)
-            .copy_from(&self.stiffness.at(angle));
-        forces.columns_mut(n, n).copy_from(&self.damping.at(angle));
-        forces.neg_mut();
-        self.mass
-            .at(angle)
-            .lu()
-            .solve(&forces)
-            .ok_or(StabilityError::SingularMass { time })
+    ///
+    /// # Errors
+    ///
+    /// [`StabilityError::SingularMass`] at this time.
+    pub(super) fn at(&self, time: f64) -> Result<DMatrix<f64>, StabilityError> {
+        let (frequency, damping, stiffness) = match self {
+            Self::SteadyMass {
+                frequency,
+                damping,
+                stiffness,
+            } => (*frequency, damping, stiffness),
+            Self::VaryingMass(system) => (system.frequency, &system.damping, &system.stiffness),
+        };
+        let (n, angle) = (stiffness.size(), frequency * time);
+        let mut matrix = DMatrix::zeros(n, 2 * n);
+        matrix.columns_mut(0, n).copy_from(&stiffness.at(angle));
+        matrix.columns_mut(n, n).copy_from(&damping.at(angle));
+        matrix.neg_mut();
+        if let Self::VaryingMass(system) = self
+            && !system.mass.at(angle).lu().solve_mut(&mut matrix)
+        {
+            return Err(StabilityError::SingularMass { time });
+        }
+        Ok(matrix)
     }
 }

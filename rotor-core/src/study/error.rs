@@ -8,6 +8,7 @@ use super::space::MOST_POINTS;
 
 /// Why an axis, a scan or a reduction cannot be, or why a scan ended early.
 #[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
 pub enum ScanError {
     /// An axis without a value: the whole scan would have no point.
     #[error("the axis of {input} has no value; it must have at least one")]

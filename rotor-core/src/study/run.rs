@@ -6,7 +6,6 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use rayon::{ThreadPool, ThreadPoolBuilder};
 use thiserror::Error;
 
 use super::Plan;
@@ -15,6 +14,7 @@ use super::collected::Collected;
 use super::error::ScanError;
 use super::reduce::{Reduced, Reductions};
 use super::sink::Sink;
+use super::threads::{self, Threads};
 
 /// The most numbers that are collected in memory, 32 GiB of them: more than a workstation has to spare.
 pub const MOST_COLLECTED: u64 = 1 << 32;
@@ -269,12 +269,12 @@ impl Plan {
         work: impl Fn(u64, &dyn Fn() -> bool) -> Option<T> + Sync,
         mut deliver: impl FnMut(u64, T) -> Result<(), E>,
     ) -> Result<(), Stopped<E>> {
-        let pool = pool(control.threads)?;
+        let threads = Threads::new(control.threads)?;
         // Each thread has one chunk at work and one that waits for its turn.
-        let in_flight = 2 * pool.current_num_threads();
+        let in_flight = 2 * threads.count();
         let failed = AtomicBool::new(false);
         let stop = || failed.load(Ordering::Relaxed) || control.cancel.is_cancelled();
-        pool.in_place_scope(|scope| {
+        threads.scope(|scope| {
             let (sender, receiver) = mpsc::channel();
             let mut outstanding = VecDeque::new();
             let mut done = BTreeMap::new();
@@ -320,15 +320,6 @@ impl Plan {
     }
 }
 
-fn pool(threads: Option<usize>) -> Result<ThreadPool, ScanError> {
-    ThreadPoolBuilder::new()
-        .num_threads(threads.unwrap_or(0))
-        .build()
-        .map_err(|error| ScanError::Threads {
-            reason: error.to_string(),
-        })
-}
-
 /// Iterator over the chunks of a plan; see [`Plan::chunks`].
 pub struct Chunks<'a> {
     plan: &'a Plan,
@@ -341,16 +332,11 @@ impl<'a> Iterator for Chunks<'a> {
     type Item = Chunk<'a>;
 
     fn next(&mut self) -> Option<Chunk<'a>> {
-        use rayon::prelude::*;
         if self.ready.is_empty() {
-            let together = rayon::current_num_threads() as u64;
-            let end = self.plan.chunk_count().min(self.next + together);
-            let numbers = self.next..end;
-            self.next = end;
-            let chunks: Vec<_> = numbers
-                .into_par_iter()
-                .filter_map(|number| chunk::evaluate(&self.kernels, number, &|| false))
-                .collect();
+            let numbers = self.next..self.plan.chunk_count();
+            let work = |number| chunk::evaluate(&self.kernels, number, &|| false);
+            let (chunks, next) = threads::map(numbers, work);
+            self.next = next;
             self.ready.extend(chunks);
         }
         self.ready.pop_front()

@@ -38,6 +38,7 @@ pub struct Column<'a> {
 
 /// Columns that are no table.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[non_exhaustive]
 pub enum TableError {
     /// There is no column to tell how many rotors there are.
     #[error("no input has a column; at least one must have")]

@@ -47,8 +47,8 @@ pub(super) fn figure(rotor: &Rotor, kind: RegionKind) -> Figure {
         })
         .collect();
     let (name, region) = match kind {
-        RegionKind::Simple | RegionKind::UpperSimple => ("map-sir", "SIR"),
         RegionKind::Combination => ("map-cir", "CIR"),
+        _ => ("map-sir", "SIR"),
     };
     let symbol = width_symbol(kind);
     Figure {

@@ -6,13 +6,13 @@ use rayon::prelude::*;
 use rotor_core::equations::Coefficients;
 use rotor_core::jeffcott::region::{self, RegionKind};
 use rotor_core::jeffcott::rotor::Rotor;
+use rotor_core::model::confirm_ends;
 use rotor_plot::{Axis, Curve, Dash, Figure, Mark, Panel, Plot, Symbol};
 
 use super::{
     DEPTHS, OWN_SPEED, POSITIONS, absence, angle_axis, axis, changed, line, panel, spaced,
     width_at, width_symbol, with_own,
 };
-use crate::report::hill;
 
 /// Points of a curve, so that every point by Floquet theory is one of them.
 const ANGLES: usize = 12 * FLOQUET_INTERVALS + 1;
@@ -146,9 +146,7 @@ fn three_ways(kind: RegionKind, c: &Coefficients) -> Vec<Curve> {
     let hill = |angle: f64| {
         let c = at(angle);
         let exact = region::exact_ends(kind, &c).ok()?;
-        hill::ends_near(&c, exact)
-            .ok()
-            .map(|hill| hill.ends.width())
+        confirm_ends(&c, exact).ok().map(|hill| hill.width())
     };
     let floquet: Vec<_> = angles
         .par_iter()

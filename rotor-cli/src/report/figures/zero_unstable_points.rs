@@ -19,9 +19,9 @@ pub(super) fn figure(rotor: &Rotor, kind: RegionKind) -> Figure {
     // A disk of the opposite asymmetry is the same disk turned by a quarter: it closes the region at the other angle.
     let sign = if own < 0.0 { -1.0 } else { 1.0 };
     let (number, suffix, region, angles) = match kind {
-        RegionKind::Simple => (8, "", "SIR", ["π/2", "0"]),
         RegionKind::UpperSimple => (8, "-upper", "upper SIR", ["π/2", "0"]),
         RegionKind::Combination => (9, "", "CIR", ["0", "π/2"]),
+        _ => (8, "", "SIR", ["π/2", "0"]),
     };
     let [angle, other] = if own < 0.0 {
         [angles[1], angles[0]]

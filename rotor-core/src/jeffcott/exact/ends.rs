@@ -18,6 +18,7 @@ use crate::error::StabilityError;
 /// The two ends of an instability region, in units of the reference speed; `lower <= upper`, equal at an exact zero
 /// unstable point.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Ends {
     /// The speed at which the region starts.
     pub lower: f64,

@@ -112,10 +112,9 @@ fn choices_are_read_by_the_names_they_show() {
 fn a_disk_that_breaks_the_triangle_inequality_is_warned_of() {
     assert_eq!(Rotor::default().warnings(), []);
     let rotor = changed(|p| p.disk_asymmetry = -0.8).expect("valid");
-    let [warning] = rotor.warnings()[..] else {
+    let [Warning::TriangleInequality { disk_asymmetry, .. }] = rotor.warnings()[..] else {
         panic!("one warning")
     };
-    let Warning::TriangleInequality { disk_asymmetry, .. } = warning;
     assert_eq!(disk_asymmetry, -0.8);
     assert!(rotor.coefficients().is_ok());
 }

@@ -2,13 +2,13 @@
 
 use std::fmt::Write as _;
 
-use rotor_core::input::{CrackEdge, CrackModel, INPUTS, RotorParameters};
-
 use super::SECTIONS;
-use crate::table::shortest;
+use crate::input::{CrackEdge, CrackModel, INPUTS, RotorParameters};
+use crate::text::shortest;
 
-/// The file that `rotor init` writes.
-pub(crate) fn template() -> String {
+/// A file of the paper's rotor with a comment on every input, to start from: `rotor init` writes it.
+#[must_use]
+pub fn template() -> String {
     let paper = RotorParameters::PAPER;
     let mut text = String::from(
         "# A rotor for the command `rotor`: a disk on a simply supported shaft with a transverse crack.\n\

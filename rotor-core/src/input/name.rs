@@ -1,46 +1,56 @@
-//! What was probably meant by a name that nothing has.
+//! All names of the inputs, and what was probably meant by a name that nothing has.
 
-use rotor_core::input::INPUTS;
-
-use crate::rotor_file::CHOICES;
+use super::INPUTS;
 
 /// At most so many inputs are offered; a word that fits more of them says nothing.
-const MOST: usize = 3;
-/// A beginning of a name has at least so many letters.
-const BEGINNING: usize = 3;
+const MOST_OFFERED: usize = 3;
+/// A beginning of a name has at least so many letters; fewer begin too many names.
+const SHORTEST_BEGINNING: usize = 3;
 
 /// An input under all its names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct InputName {
+#[non_exhaustive]
+pub struct InputName {
     /// As in a table: `disk_mass`.
-    pub(crate) name: &'static str,
+    pub name: &'static str,
     /// Its section in a rotor file.
-    pub(crate) section: &'static str,
+    pub section: &'static str,
     /// Its key there.
-    pub(crate) key: &'static str,
+    pub key: &'static str,
     /// Its symbol, empty where it has none.
-    symbol: &'static str,
+    pub symbol: &'static str,
 }
 
+/// The inputs that are a choice and no number.
+pub const CHOICES: [InputName; 2] = [
+    InputName {
+        name: "crack_model",
+        section: "crack",
+        key: "model",
+        symbol: "",
+    },
+    InputName {
+        name: "crack_edge",
+        section: "crack",
+        key: "edge",
+        symbol: "",
+    },
+];
+
 /// Every input, numbers and choices.
-pub(crate) fn input_names() -> impl Iterator<Item = InputName> {
+pub fn input_names() -> impl Iterator<Item = InputName> {
     let numbers = INPUTS.iter().map(|input| InputName {
         name: input.name,
         section: input.section,
         key: input.key,
         symbol: input.symbol,
     });
-    numbers.chain(CHOICES.iter().map(|&(name, section, key)| InputName {
-        name,
-        section,
-        key,
-        symbol: "",
-    }))
+    numbers.chain(CHOICES)
 }
 
 /// The inputs that a name probably means, of one section only if given: by symbol, by key, by whole words of a name, by
 /// spelling, by the beginning. The first of these that fits some input decides.
-pub(crate) fn meant(found: &str, section: Option<&str>) -> Vec<InputName> {
+pub fn meant(found: &str, section: Option<&str>) -> Vec<InputName> {
     let inputs: Vec<InputName> = input_names()
         .filter(|input| section.is_none_or(|section| input.section == section))
         .collect();
@@ -63,7 +73,7 @@ pub(crate) fn meant(found: &str, section: Option<&str>) -> Vec<InputName> {
                 .any(|name| shares_words(&flat, name))
         },
         &|input| spelt.is_some_and(|(_, nearest)| nearest == input),
-        &|input| flat.len() >= BEGINNING && input.key.starts_with(&flat),
+        &|input| flat.len() >= SHORTEST_BEGINNING && input.key.starts_with(&flat),
     ];
     stages
         .iter()
@@ -74,7 +84,7 @@ pub(crate) fn meant(found: &str, section: Option<&str>) -> Vec<InputName> {
                 .filter(|input| fits(input))
                 .collect::<Vec<_>>()
         })
-        .find(|fitting| (1..=MOST).contains(&fitting.len()))
+        .find(|fitting| (1..=MOST_OFFERED).contains(&fitting.len()))
         .unwrap_or_default()
 }
 
@@ -97,7 +107,7 @@ fn distance(found: &str, name: &str) -> Option<usize> {
 }
 
 /// The name nearest to a misspelt one, if one is near.
-pub(crate) fn nearest<'a>(misspelt: &str, names: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+pub fn nearest<'a>(misspelt: &str, names: impl Iterator<Item = &'a str>) -> Option<&'a str> {
     names
         .filter_map(|name| Some((distance(misspelt, name)?, name)))
         .min_by_key(|(distance, _)| *distance)

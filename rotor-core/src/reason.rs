@@ -1,13 +1,14 @@
 //! Why a result is missing, in words that fit beside the results that are not.
 
-use rotor_core::equations::Coefficients;
-use rotor_core::error::StabilityError;
-use rotor_core::jeffcott::region::{self, NoEnds, NoRegion, RegionKind};
-use rotor_core::quantity::Quantity;
-use rotor_core::study::Reason;
+use crate::equations::Coefficients;
+use crate::error::StabilityError;
+use crate::jeffcott::region::{self, NoEnds, NoRegion, RegionKind};
+use crate::periodic::boundary::NoBoundary;
+use crate::study::Reason;
 
 /// Why a quantity is missing.
-pub(crate) fn of_quantity(reason: &Reason) -> String {
+#[must_use]
+pub fn of_quantity(reason: &Reason) -> String {
     match reason {
         Reason::Stability(error) => of_ends(error),
         other => other.to_string(),
@@ -15,10 +16,31 @@ pub(crate) fn of_quantity(reason: &Reason) -> String {
 }
 
 /// Why a region has no exact ends.
-pub(crate) fn of_exact_ends(reason: &NoEnds) -> String {
+#[must_use]
+pub fn of_exact_ends(reason: &NoEnds) -> String {
     match reason {
         NoEnds::Stability(error) => of_ends(error),
         NoEnds::Region(reason) => reason.to_string(),
+    }
+}
+
+/// Why growth rates do not show the ends of a rotor's region, of which the exact ends or the approximate width is known.
+#[must_use]
+pub fn of_boundary(reason: &NoBoundary) -> String {
+    match reason {
+        NoBoundary::Closed => "the region is closed, its exact width is 0".to_owned(),
+        NoBoundary::NoWidth { .. } => "the region is closed, its width by Eq. (31) is 0".to_owned(),
+        NoBoundary::Adjoined { speed } => format!(
+            "another region adjoins at {speed:.6} × ω_st, growth rates do not tell the two apart"
+        ),
+        NoBoundary::Contradiction {
+            speed,
+            growth,
+            expected,
+        } => format!(
+            "at {speed} × ω_st its growth rate is {growth:.3e} and the exact one {expected:.3e}"
+        ),
+        other => other.to_string(),
     }
 }
 
@@ -33,7 +55,8 @@ fn of_ends(error: &StabilityError) -> String {
 }
 
 /// What is wrong with a rotor whose numbers do not fit in double precision: a start of 0 is an underflow, no start.
-pub(crate) fn out_of_range(kind: RegionKind, c: &Coefficients) -> Option<String> {
+#[must_use]
+pub fn out_of_range(kind: RegionKind, c: &Coefficients) -> Option<String> {
     match (region::start(kind, c), region::width(kind, c)) {
         (Ok(0.0), _) => Some(format!(
             "the start of the {} comes out as 0: the inputs are each allowed, but together they leave the range of \
@@ -44,25 +67,5 @@ pub(crate) fn out_of_range(kind: RegionKind, c: &Coefficients) -> Option<String>
             Some(why.to_string())
         }
         _ => None,
-    }
-}
-
-/// The region that a quantity belongs to.
-pub(crate) fn region_of(quantity: Quantity) -> Option<RegionKind> {
-    quantity.region()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn quantities_know_their_region() {
-        assert_eq!(region_of(Quantity::SirStart), Some(RegionKind::Simple));
-        assert_eq!(
-            region_of(Quantity::CirExactUpper),
-            Some(RegionKind::Combination)
-        );
-        assert_eq!(region_of(Quantity::Beta), None);
     }
 }
