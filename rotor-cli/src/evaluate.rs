@@ -19,6 +19,7 @@ use rotor_core::study;
 use rotor_core::study::Reason;
 use rotor_core::study::table::TableError;
 use rotor_core::text::brief;
+use rotor_core::warning::Warning;
 
 use crate::command_line::EvaluateArguments;
 use crate::failure::{Failure, Outcome};
@@ -181,7 +182,7 @@ type Done = (Piece, Answers, Option<Part>);
 struct Doubtful {
     rows: u64,
     /// The line of the first, and what is said of it.
-    first: (u64, String),
+    first: (u64, Warning),
 }
 
 /// What comes of some rows.

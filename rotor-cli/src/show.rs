@@ -52,14 +52,14 @@ pub(crate) fn run(name: Option<&str>, form: Form) -> Result<String, Failure> {
 /// The formula that gives a result which is not a formula itself; it is said on stderr.
 fn formula_of(result: Quantity) -> Result<&'static str, Failure> {
     let formula = match result.subject() {
-        Subject::Region(..) | Subject::AtSpeed => {
+        Subject::Plain if result.name().starts_with('c') => "crack_compliance",
+        Subject::Plain => "coefficients",
+        _ => {
             return Err(Failure::input(format!(
                 "`{result}` is no closed form: it is computed from the roots of the frequency equation, see `rotor \
                  show phi`"
             )));
         }
-        Subject::Plain if result.name().starts_with('c') => "crack_compliance",
-        Subject::Plain => "coefficients",
     };
     output::remark(&format!("`{result}` is one of the results of `{formula}`:"));
     Ok(formula)

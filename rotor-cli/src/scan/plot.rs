@@ -7,7 +7,6 @@ use std::path::Path;
 
 use rotor_core::input::RotorParameters;
 use rotor_core::input::Variable;
-use rotor_core::jeffcott::region::RegionKind;
 use rotor_core::jeffcott::rotor::Rotor;
 use rotor_core::quantity::Quantity;
 use rotor_core::study::{self, Plan, Scan};
@@ -411,14 +410,10 @@ impl Drawing<'_> {
     /// By how much the disk's asymmetry exceeds, at each point, the one that closes the quantity's
     /// region: zero along the ZUP line. None for what is no width of a region.
     fn closing(&self, quantity: Quantity) -> Result<Option<Vec<Option<f64>>>, Failure> {
-        let kind = match quantity {
-            Quantity::SirWidth => RegionKind::Simple,
-            Quantity::CirWidth => RegionKind::Combination,
+        let closing = match quantity {
+            Quantity::SirWidth => Quantity::SirZupAsymmetry,
+            Quantity::CirWidth => Quantity::CirZupAsymmetry,
             _ => return Ok(None),
-        };
-        let closing = match kind {
-            RegionKind::Combination => Quantity::CirZupAsymmetry,
-            _ => Quantity::SirZupAsymmetry,
         };
         let mut values = self.values(&[closing])?.pop().unwrap_or_default();
         for (point, value) in values.iter_mut().enumerate() {
