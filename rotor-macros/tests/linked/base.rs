@@ -17,7 +17,7 @@ mod formulas {
     pub const SCALE: f64 = 1.5;
 
     /// A rectangle's diagonal, m.
-    #[generate(value, columns, chain, d_s_width)]
+    #[generate(value, columns, d_s_width)]
     pub fn diagonal(s: &Sides) -> f64 {
         (s.width.powi(2) + s.height.powi(2)).sqrt()
     }

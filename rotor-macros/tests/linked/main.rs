@@ -10,10 +10,6 @@ mod top;
 #[rotor_macros::symbolic(sizes = 1e-6..=1e6, domain(s.width > 0.0, s.height > 0.0))]
 mod conventions {}
 
-/// The chain of all files.
-#[rotor_macros::symbolic(chain, with(base, top))]
-mod collected {}
-
 use base::Sides;
 
 const SIDES: Sides = Sides {
@@ -101,21 +97,4 @@ fn a_linked_table_is_the_one_of_its_module() {
         let (_, [expected]) = base::arc::gradient(x);
         assert_close(slope, 2.0 * expected);
     }
-}
-
-#[test]
-fn the_chain_is_of_all_files() {
-    use collected::chain::{Column, Formula, Staged};
-    assert_eq!(Formula::ALL, [Formula::Diagonal, Formula::Merit]);
-    assert_eq!(
-        Column::ALL.map(Column::name),
-        ["width", "height", "diagonal", "merit"]
-    );
-    assert_eq!(Formula::Merit.takes(), [Column::Width, Column::Height]);
-    assert_eq!(Formula::Merit.weight(), top::merit::WEIGHT);
-    assert_eq!(Staged::ALL, [Staged::MeritAlongSHeight]);
-    assert_eq!(
-        Staged::MeritAlongSHeight.weights(),
-        top::merit::STAGED_WEIGHTS[0]
-    );
 }

@@ -11,7 +11,7 @@ mod formulas {
     use super::super::right::*;
 
     /// Slope over cost, and both weights.
-    #[generate(value, gradient(s.width, s.height), columns, chain, stage(s.height))]
+    #[generate(value, gradient(s.width, s.height), columns)]
     pub fn merit(s: &Sides) -> f64 {
         slope(s) / cost(s) + weight(s) * base::weight(&doubled(s))
     }
