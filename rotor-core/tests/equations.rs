@@ -226,6 +226,7 @@ proptest! {
             let omega = match kind {
                 RegionKind::Combination => equations::cir_omega::value(&c),
                 RegionKind::Simple | RegionKind::UpperSimple => speed,
+            other => panic!("{other} is a new region"),
             };
             let partner = 2.0 * speed - omega;
             let (h, h_bar) = (transverse(omega), transverse(partner));

@@ -164,6 +164,7 @@ fn closing(kind: RegionKind, c: &Coefficients) -> f64 {
     let omega = match kind {
         RegionKind::Combination => equations::cir_omega::value(c),
         RegionKind::Simple | RegionKind::UpperSimple => speed,
+        other => panic!("{other} is a new region"),
     };
     let partner = 2.0 * speed - omega;
     let (h, h_bar) = (1.0 - omega.powi(2), 1.0 - partner.powi(2));
