@@ -291,6 +291,12 @@ fn request(words: &[Expr], span: Span, diagnostics: &mut Diagnostics) -> Request
             }
         }
     }
+    check_budget_counts(words, &asked, diagnostics);
+    request
+}
+
+/// Reports a budget without a form whose operations it would count.
+fn check_budget_counts(words: &[Expr], asked: &[String], diagnostics: &mut Diagnostics) {
     let counted = |form: &String| form != "budget" && !form.starts_with("d_");
     let is_budget = |word: &&Expr| head(word).is_some_and(|(name, _)| name == "budget");
     if let Some(word) = words.iter().find(is_budget)
@@ -302,7 +308,6 @@ fn request(words: &[Expr], span: Span, diagnostics: &mut Diagnostics) -> Request
             "ask for a form beside it: value, gradient(x, y), hessian(x, y) or columns",
         );
     }
-    request
 }
 
 fn chain(name: &Ident, arguments: &[&Expr], diagnostics: &mut Diagnostics) -> ChainRequest {

@@ -316,12 +316,12 @@ impl<'m> Reader<'m> {
     fn path(&mut self, path: &syn::Path, scope: &mut Scope) -> Option<Value> {
         let last = path.segments.last()?;
         let name = last.ident.to_string();
-        if path.segments.len() == 1 {
-            if let Some(value) = scope.get(&name) {
-                let value = value.clone()?;
-                self.note(&value);
-                return Some(value);
-            }
+        if path.segments.len() == 1
+            && let Some(value) = scope.get(&name)
+        {
+            let value = value.clone()?;
+            self.note(&value);
+            return Some(value);
         }
         let module = self.module;
         if let Some((home, name)) = module.constant(path) {
