@@ -1,4 +1,8 @@
 //! Ends of the rotor's regions from growth rates by Hill's method, held to the exact ones.
+#![allow(
+    clippy::unwrap_used,
+    reason = "a helper of a test fails as a test does"
+)]
 
 use rotor_core::equations::Coefficients;
 use rotor_core::input::RotorParameters;
