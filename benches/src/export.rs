@@ -37,10 +37,9 @@ pub fn python_text() -> Result<String, ExportError> {
         String::from("# Written from the Rust sources; see benches/src/python.rs.\n\n\n");
     for field in &FIELDS {
         let _ = writeln!(text, "def {}():", field.name);
-        for (_, source) in field.sources {
-            for line in python::module(source)?.lines() {
-                let _ = writeln!(text, "{}{line}", if line.is_empty() { "" } else { "    " });
-            }
+        let sources = field.sources.iter().map(|(_, source)| *source);
+        for line in python::module(sources)?.lines() {
+            let _ = writeln!(text, "{}{line}", if line.is_empty() { "" } else { "    " });
         }
         text.push_str("    return locals()\n\n\n");
     }

@@ -25,19 +25,29 @@ pub enum TranslationError {
     },
 }
 
-/// All functions of the module of formulas in a source text, as Python.
+/// All functions of the modules of formulas in source texts, which may call each other's, as Python.
 ///
 /// # Errors
-/// The source has no such module, or holds something outside the language of formulas.
-pub fn module(source: &str) -> Result<String, TranslationError> {
-    let file =
-        syn::parse_file(source).map_err(|error| TranslationError::Source(error.to_string()))?;
-    let formulas = file.items.into_iter().find_map(|item| match item {
-        Item::Mod(item) if has(&item.attrs, "symbolic") => item.content,
-        _ => None,
-    });
-    let (_, items) =
-        formulas.ok_or_else(|| TranslationError::Source("no module `symbolic`".to_owned()))?;
+/// A text is no Rust, has no module of formulas, or uses something outside the language of formulas.
+pub fn module<'a>(sources: impl IntoIterator<Item = &'a str>) -> Result<String, TranslationError> {
+    let mut items = Vec::new();
+    for source in sources {
+        let file =
+            syn::parse_file(source).map_err(|error| TranslationError::Source(error.to_string()))?;
+        let modules = file.items.into_iter().filter_map(|item| match item {
+            Item::Mod(item) if has(&item.attrs, "symbolic") => item.content,
+            _ => None,
+        });
+        let mut found = 0;
+        for (_, content) in modules {
+            items.extend(content);
+            found += 1;
+        }
+        if found == 0 {
+            let missing = "no module `symbolic`".to_owned();
+            return Err(TranslationError::Source(missing));
+        }
+    }
     let mut functions: Vec<&ItemFn> = Vec::new();
     let mut text = String::new();
     let mut constants = BTreeSet::new();
@@ -301,18 +311,18 @@ mod tests {
             def f(op, x, c):\n    return K(op) * op.powi((x - c.a), 2) / op.constant(\"PI\")\n\n\n\
             def g(op, x, c):\n    (y, z,) = ((-op.partial(f, 0, x, c)), [x, op.number(\"1.0\")][1],)\n    \
             return (op.sqrt(y), f(op, z, c),)\n\n\n";
-        assert_eq!(module(source).unwrap(), expected);
+        assert_eq!(module([source]).unwrap(), expected);
     }
 
     #[test]
     fn what_is_unknown_is_an_error() {
         let source = "#[symbolic] mod m { fn f(x: f64) -> f64 { if x > 0.0 { x } else { 0.0 } } }";
         assert!(matches!(
-            module(source),
+            module([source]),
             Err(TranslationError::Unknown { .. })
         ));
         assert!(matches!(
-            module("mod m {}"),
+            module(["mod m {}"]),
             Err(TranslationError::Source(_))
         ));
     }
