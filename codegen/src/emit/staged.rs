@@ -117,7 +117,8 @@ fn fixed(staged: &Staged, function: &Function, still: &[SymbolId]) -> TokenStrea
     quote! {
         #[inline]
         pub fn fixed(#parameters) -> [f64; FIXED] {
-            fixed_of(&[#(#numbers),*])
+            let numbers = [#(#numbers),*];
+            fixed_of(&numbers)
         }
 
         #[doc = #doc]
