@@ -110,13 +110,13 @@ pub const CASES: [Case; 12] = [
         name: "grid_sigma_phi",
         about: "both widths over a grid of crack depth and angle of the paper's rotor",
         points: |sizes| sizes.grid * sizes.grid,
-        run: scans::grid,
+        run: scans::grid_sigma_phi,
     },
     Case {
         name: "grid_sigma_phi_threads",
         about: "the same on all processors",
         points: |sizes| sizes.grid * sizes.grid,
-        run: scans::grid_threads,
+        run: scans::grid_sigma_phi_threads,
     },
     Case {
         name: "grid_fill",

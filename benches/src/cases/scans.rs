@@ -34,11 +34,11 @@ fn on(threads: usize) -> Control<'static> {
     }
 }
 
-pub(super) fn grid(bench: &mut Bench) -> Outcome {
+pub(super) fn grid_sigma_phi(bench: &mut Bench) -> Outcome {
     collected(bench, 1)
 }
 
-pub(super) fn grid_threads(bench: &mut Bench) -> Outcome {
+pub(super) fn grid_sigma_phi_threads(bench: &mut Bench) -> Outcome {
     collected(bench, processors())
 }
 

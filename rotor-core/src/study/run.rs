@@ -41,7 +41,7 @@ type Progress<'a> = &'a (dyn Fn(u64) + Sync);
 /// How a plan is run. The default is all cores, uncancelled, silent.
 #[derive(Clone, Default)]
 pub struct Control<'a> {
-    /// How many threads, or one for each core. The results are the same.
+    /// How many threads, or one for each core; one is the calling thread. The results are the same.
     pub threads: Option<usize>,
     /// Looked at a few thousand points apart.
     pub cancel: Cancel,
@@ -261,6 +261,29 @@ impl Plan {
         }
     }
 
+    /// Works on the chunks of a range one after the other, on the calling thread.
+    fn in_turn<T, E>(
+        &self,
+        numbers: std::ops::Range<u64>,
+        control: &Control<'_>,
+        work: impl Fn(u64, &dyn Fn() -> bool) -> Option<T>,
+        mut deliver: impl FnMut(u64, T) -> Result<(), E>,
+    ) -> Result<(), Stopped<E>> {
+        let stop = || control.cancel.is_cancelled();
+        for number in numbers {
+            match work(number, &stop).filter(|_| !stop()) {
+                Some(outcome) => deliver(number, outcome).map_err(Stopped::Sink)?,
+                None => {
+                    return Err(Stopped::Scan(ScanError::Cancelled {
+                        chunks: number,
+                        all: self.chunk_count(),
+                    }));
+                }
+            }
+        }
+        Ok(())
+    }
+
     /// Works on the chunks of a range on all threads and delivers what comes of them in order.
     fn ordered<T: Send, E>(
         &self,
@@ -269,6 +292,9 @@ impl Plan {
         work: impl Fn(u64, &dyn Fn() -> bool) -> Option<T> + Sync,
         mut deliver: impl FnMut(u64, T) -> Result<(), E>,
     ) -> Result<(), Stopped<E>> {
+        if control.threads == Some(1) {
+            return self.in_turn(numbers, control, work, deliver);
+        }
         let threads = Threads::new(control.threads)?;
         // Each thread has one chunk at work and one that waits for its turn.
         let in_flight = 2 * threads.count();
