@@ -175,6 +175,49 @@ where
     Ok(())
 }
 
+/// Evaluates a kernel for one row: the results that [`store`] gives for it, without columns around them.
+pub fn once<K, const FIXED: usize, const ALONG: usize, const RESULTS: usize>(
+    fixed: &[f64; FIXED],
+    along: &[f64; ALONG],
+) -> [f64; RESULTS]
+where
+    K: Kernel<FIXED, ALONG, RESULTS>,
+{
+    let kernel = std::marker::PhantomData::<K>;
+    let row = Row {
+        fixed,
+        along,
+        kernel,
+    };
+    // One row gains nothing by wider packs, and has the same bits in each.
+    level::baseline(row)
+}
+
+/// One row, in all rows of a pack.
+struct Row<'a, K, const FIXED: usize, const ALONG: usize, const RESULTS: usize> {
+    fixed: &'a [f64; FIXED],
+    along: &'a [f64; ALONG],
+    kernel: std::marker::PhantomData<K>,
+}
+
+impl<K, const FIXED: usize, const ALONG: usize, const RESULTS: usize> Body
+    for Row<'_, K, FIXED, ALONG, RESULTS>
+where
+    K: Kernel<FIXED, ALONG, RESULTS>,
+{
+    type Output = [f64; RESULTS];
+
+    #[inline(always)]
+    fn run<S: Simd>(self, simd: S) -> [f64; RESULTS] {
+        let results = K::evaluate(simd, splats(simd, self.fixed), splats(simd, self.along));
+        let mut numbers = [f64::NAN; RESULTS];
+        for place in 0..RESULTS {
+            numbers[place] = results[place].first();
+        }
+        numbers
+    }
+}
+
 /// Evaluates a kernel that has no fixed numbers for every row, on the [best level](Level::best), and writes all results.
 ///
 /// # Errors

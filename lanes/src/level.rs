@@ -153,7 +153,7 @@ fn on_lines<B: Body, S: fearless_simd::Simd>(body: B, simd: S) -> B::Output {
     target_feature = "fxsr",
     target_feature = "sse2"
 ))]
-fn baseline<B: Body>(body: B) -> B::Output {
+pub(crate) fn baseline<B: Body>(body: B) -> B::Output {
     use fearless_simd::Simd;
     // A choice among all levels would be one more copy of the body for each.
     let Some(simd) = fearless_simd::Level::baseline().as_sse2() else {
@@ -170,7 +170,7 @@ fn baseline<B: Body>(body: B) -> B::Output {
     target_feature = "fxsr",
     target_feature = "sse2"
 )))]
-fn baseline<B: Body>(body: B) -> B::Output {
+pub(crate) fn baseline<B: Body>(body: B) -> B::Output {
     fearless_simd::dispatch!(fearless_simd::Level::baseline(), simd => body.run(simd))
 }
 

@@ -1,8 +1,8 @@
 //! The SIMD layer under generated code: one generic body per formula, run at the widest level that the machine has.
 //!
 //! A generated kernel is a [`Kernel`]: straight-line arithmetic over a [`Pack`] of rows, with no loop, no memory and no
-//! level in it. The loops are here: [`store`] writes results to columns, [`fold`]
-//! consumes results where they arise, so that a reduction needs no output array.
+//! level in it. The loops are here: [`store`] writes results to columns, [`once`] is for one row,
+//! [`fold`] consumes results where they arise, so that a reduction needs no output array.
 //!
 //! **Invariants**
 //! - A result has the same bits on every [`Level`], in a full pack and in the tail of a column: a body is additions,
@@ -23,7 +23,7 @@ mod trigonometry;
 
 pub use fearless_simd::Simd;
 pub use kernel::{
-    ALL, ColumnLengthError, Consumer, Kernel, LONGEST, LengthError, fold, rows, store,
+    ALL, ColumnLengthError, Consumer, Kernel, LONGEST, LengthError, fold, once, rows, store,
 };
 pub use level::{Level, UnknownLevel};
 pub use pack::Pack;

@@ -1,7 +1,7 @@
 //! The loops: results, tails, what is not wanted, consumers, and mismatched columns.
 #![allow(clippy::unwrap_used, reason = "helpers of tests fail by panicking too")]
 
-use lanes::{ALL, Consumer, Kernel, Level, Pack, Simd, fold, store};
+use lanes::{ALL, Consumer, Kernel, Level, Pack, Simd, fold, once, store};
 
 /// `a·x + y`, and `|x|` beside it.
 struct Line;
@@ -56,6 +56,23 @@ fn every_row_of_every_length_on_every_level() {
             }
             let sum = fold::<Line, Sum, 1, 2, 2>(level, &[3.0], [&x, &y], &mut Sum).unwrap();
             assert_eq!(sum, results[0].iter().sum::<f64>());
+        }
+    }
+}
+
+#[test]
+fn one_row_has_the_bits_that_it_has_in_a_column() {
+    let [x, y] = columns(67);
+    for level in Level::available() {
+        let mut results = [vec![f64::NAN; 67], vec![f64::NAN; 67]];
+        let slices = results.each_mut().map(Vec::as_mut_slice);
+        store::<Line, ALL, 1, 2, 2>(level, &[3.0], [&x, &y], slices).unwrap();
+        for row in 0..67 {
+            let alone = once::<Line, 1, 2, 2>(&[3.0], &[x[row], y[row]]);
+            assert_eq!(
+                alone.map(f64::to_bits),
+                [0, 1].map(|place: usize| results[place][row].to_bits())
+            );
         }
     }
 }

@@ -1,7 +1,7 @@
 //! The last loop: from the columns of the chain to each quantity, in packs, to wherever it goes.
 
 use lanes::chain::{StagedVisitor, Visitor};
-use lanes::{ALL, Kernel, Level, store};
+use lanes::{Kernel, once};
 
 use crate::batch::extremes::Itself;
 use crate::batch::statistic::{Gaps, WithGaps, WithoutGaps};
@@ -50,7 +50,7 @@ impl Evaluation<'_> {
                 if varies {
                     return to.take::<Ends, WithGaps, 1, 8, 2>(*places, PARTIAL, &region, along);
                 }
-                let numbers = once::<Ends, 1, 8, 2>(&region, along)?;
+                let numbers = once::<Ends, 1, 8, 2>(&region, &first_row(along)?);
                 self.same::<WithGaps, D, 2>(*places, PARTIAL, numbers, to)
             }
             Way::GrowthRate { place } => self.growth_rate(*place, to),
@@ -109,7 +109,7 @@ impl Evaluation<'_> {
         if varies {
             return to.take::<GrowthRate, WithGaps, 0, 9, 1>([Some(place)], PARTIAL, &[], along);
         }
-        let numbers = once::<GrowthRate, 0, 9, 1>(&[], along)?;
+        let numbers = once::<GrowthRate, 0, 9, 1>(&[], &first_row(along)?);
         self.same::<WithGaps, D, 1>([Some(place)], PARTIAL, numbers, to)
     }
 
@@ -193,19 +193,13 @@ fn squared(form: Staged) -> Option<Staged> {
     Staged::ALL.into_iter().find(is_square)
 }
 
-/// What a kernel gives of the first row of columns.
-fn once<K, const FIXED: usize, const ALONG: usize, const RESULTS: usize>(
-    fixed: &[f64; FIXED],
-    along: [&[f64]; ALONG],
-) -> Option<[f64; RESULTS]>
-where
-    K: Kernel<FIXED, ALONG, RESULTS>,
-{
-    let mut numbers = [f64::NAN; RESULTS];
-    let results = numbers.each_mut().map(std::slice::from_mut);
-    let first = along.map(|column| column.get(..1).unwrap_or_default());
-    store::<K, ALL, FIXED, ALONG, RESULTS>(Level::best(), fixed, first, results).ok()?;
-    Some(numbers)
+/// The first row of columns.
+fn first_row<const ALONG: usize>(along: [&[f64]; ALONG]) -> Option<[f64; ALONG]> {
+    let mut row = [f64::NAN; ALONG];
+    for (number, column) in row.iter_mut().zip(along) {
+        *number = *column.first()?;
+    }
+    Some(row)
 }
 
 /// The places of as many results as a kernel has.
@@ -240,7 +234,7 @@ impl<D: Destination> Visitor for Rows<'_, '_, D> {
                 along,
             );
         }
-        let numbers = once::<K, 0, ALONG, RESULTS>(&[], along)?;
+        let numbers = once::<K, 0, ALONG, RESULTS>(&[], &first_row(along)?);
         evaluation.same::<WithoutGaps, D, RESULTS>(places, self.requirement, numbers, self.to)
     }
 }

@@ -6,7 +6,7 @@
 //! once a row.
 
 use lanes::chain::{StagedVisitor, Visitor};
-use lanes::{ALL, Kernel, Level, store};
+use lanes::{ALL, Kernel, Level, once, store};
 
 use crate::equations::chain::{Column, Stage, Staged};
 use crate::jeffcott::rotor::LoadCase;
@@ -70,7 +70,6 @@ impl Trust {
 #[derive(Clone, Debug)]
 pub(super) struct Numbers {
     points: usize,
-    level: Level,
     lists: [List; Column::ALL.len()],
     /// The update of the row at which a stage was computed, the first of those that are alternatives; none before that.
     computed: [Option<u64>; Stage::ALL.len()],
@@ -88,12 +87,6 @@ impl Numbers {
     ) -> Self {
         let mut numbers = Self {
             points,
-            // One point needs no packs. Results have the same bits on every level.
-            level: if points == 1 {
-                Level::Baseline
-            } else {
-                Level::best()
-            },
             lists: std::array::from_fn(|_| List::default()),
             computed: [None; Stage::ALL.len()],
             trust: std::array::from_fn(|_| Trust::default()),
@@ -192,12 +185,27 @@ impl Visitor for Computing<'_> {
         let Self { stage, numbers } = self;
         let points = numbers.points;
         let is_own = |place: usize| WANTED >> place & 1 == 1;
+        if points == 1 {
+            let take = |place: usize| {
+                stage
+                    .takes()
+                    .get(place)
+                    .map_or(f64::NAN, |column| numbers.list(*column).number())
+            };
+            let results: [f64; RESULTS] =
+                once::<K, 0, ALONG, RESULTS>(&[], &std::array::from_fn(take));
+            let given = stage.gives().iter().zip(results).enumerate();
+            for (_, (column, number)) in given.filter(|(place, _)| is_own(*place)) {
+                numbers.set(*column, number);
+            }
+            return Some(());
+        }
         let mut results: [Vec<f64>; RESULTS] =
             std::array::from_fn(|place| match stage.gives().get(place) {
                 Some(column) if is_own(place) => numbers.lists[*column as usize].take(points),
                 _ => Vec::new(),
             });
-        let level = numbers.level;
+        let level = Level::best();
         let slices = results.each_mut().map(Vec::as_mut_slice);
         let stored = store::<K, WANTED, 0, ALONG, RESULTS>(
             level,
@@ -247,7 +255,7 @@ impl StagedVisitor for Tabulating<'_> {
         let mut slices = tables.iter_mut();
         let slices: [&mut [f64]; TABLES] =
             std::array::from_fn(|_| slices.next().map_or(&mut [][..], Vec::as_mut_slice));
-        let level = numbers.level;
+        let level = Level::best();
         let stored =
             store::<A, ALL, 0, ALONG, TABLES>(level, &[], numbers.columns(form.along()), slices);
         numbers.tables[form as usize] = tables;
