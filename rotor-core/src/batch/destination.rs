@@ -1,38 +1,24 @@
 //! Where the numbers of a block go from the loop that computes them: to columns, or into reductions.
 
-use lanes::{ALL, Kernel, Level, Pack, Simd, store};
+use lanes::{ALL, Consumer, Kernel, Level, Pack, Simd, fold};
 
-use crate::batch::extremes::Extremes;
+use crate::batch::extremes::{Extremes, Span};
 use crate::batch::statistic::{Gaps, Reducer};
 
 use super::list::{FINITE, SIZES, Test, require};
 
-/// What the numbers of a quantity have to be.
+/// What the numbers of a quantity have to be: where one does not pass the test, the quantity may not exist.
 #[derive(Clone, Copy)]
-pub(super) struct Requirement {
-    /// Where one does not pass, the quantity may not exist.
-    test: Option<&'static Test>,
-    /// Whether a zero may be among them, which has no sign.
-    has_zeros: bool,
-}
+pub(super) struct Requirement(Option<&'static Test>);
 
 /// They are positive, with all their digits.
-pub(super) const POSITIVE_NUMBER: Requirement = Requirement {
-    test: Some(&SIZES),
-    has_zeros: false,
-};
+pub(super) const POSITIVE_NUMBER: Requirement = Requirement(Some(&SIZES));
 
 /// They are finite.
-pub(super) const FINITE_NUMBER: Requirement = Requirement {
-    test: Some(&FINITE),
-    has_zeros: true,
-};
+pub(super) const FINITE_NUMBER: Requirement = Requirement(Some(&FINITE));
 
 /// They are finite where the quantity exists, and NaN elsewhere.
-pub(super) const PARTIAL: Requirement = Requirement {
-    test: None,
-    has_zeros: true,
-};
+pub(super) const PARTIAL: Requirement = Requirement(None);
 
 /// Takes what kernels give along columns of a block. None where that cannot be done.
 pub(super) trait Destination {
@@ -94,17 +80,51 @@ pub(super) struct Columns<'a, 'b> {
     pub(super) has_gaps: bool,
 }
 
-impl Columns<'_, '_> {
-    fn check<G: Gaps>(&mut self, place: usize, requirement: Requirement) {
-        let values = &mut *self.results[place];
-        if let Some(test) = requirement.test {
-            self.all_are_known &= require(values, self.known, test);
-        }
-        self.has_gaps |= G::HAS_GAPS;
-        if requirement.has_zeros {
+/// Writes results to columns, and finds what each spans on the way.
+struct Writing<'a, const WANTED: u64, const RESULTS: usize>([&'a mut [f64]; RESULTS]);
+
+#[allow(
+    clippy::needless_range_loop,
+    reason = "adapters of iterators are not always inlined into these loops"
+)]
+impl<const WANTED: u64, const RESULTS: usize> Consumer<RESULTS> for Writing<'_, WANTED, RESULTS> {
+    type Lanes<S: Simd> = [[Pack<S>; 3]; RESULTS];
+    type Output = [Extremes; RESULTS];
+
+    #[inline(always)]
+    fn begin<S: Simd>(&self, simd: S) -> [[Pack<S>; 3]; RESULTS] {
+        Span::empty(simd)
+    }
+
+    #[inline(always)]
+    fn take<S: Simd>(
+        &mut self,
+        lanes: &mut [[Pack<S>; 3]; RESULTS],
+        first: usize,
+        rows: usize,
+        results: &[Pack<S>; RESULTS],
+    ) {
+        for place in 0..RESULTS {
+            if WANTED >> place & 1 == 0 {
+                continue;
+            }
             // A zero has no sign.
-            values.iter_mut().for_each(|value| *value += 0.0);
+            let values = results[place] + Pack::splat(results[place].simd(), 0.0);
+            let mut lane = [lanes[place]];
+            Span::widen(&mut lane, &[values]);
+            [lanes[place]] = lane;
+            let column = &mut self.0[place][first..first + rows];
+            if rows == Pack::<S>::LENGTH {
+                values.store(column);
+            } else {
+                column.copy_from_slice(&values.as_slice()[..rows]);
+            }
         }
+    }
+
+    #[inline(always)]
+    fn end<S: Simd>(&self, lanes: [[Pack<S>; 3]; RESULTS]) -> [Extremes; RESULTS] {
+        Span::spanned(lanes)
     }
 }
 
@@ -128,20 +148,24 @@ impl Destination for Columns<'_, '_> {
                 slices[number] = &mut **result;
             }
         }
-        let level = Level::best();
         let wanted = places
             .iter()
             .enumerate()
             .filter(|(_, place)| place.is_some());
-        let stored = match wanted.fold(0, |wanted, (result, _)| wanted | 1 << result) {
-            FIRST => store::<K, FIRST, FIXED, ALONG, RESULTS>(level, fixed, along, slices),
-            SECOND => store::<K, SECOND, FIXED, ALONG, RESULTS>(level, fixed, along, slices),
-            _ => store::<K, ALL, FIXED, ALONG, RESULTS>(level, fixed, along, slices),
+        let extremes = match wanted.fold(0, |wanted, (result, _)| wanted | 1 << result) {
+            FIRST => written::<K, FIRST, FIXED, ALONG, RESULTS>(fixed, along, slices),
+            SECOND => written::<K, SECOND, FIXED, ALONG, RESULTS>(fixed, along, slices),
+            _ => written::<K, ALL, FIXED, ALONG, RESULTS>(fixed, along, slices),
         };
-        stored.ok()?;
-        for place in places.into_iter().flatten() {
-            self.check::<G>(place, requirement);
+        for (place, extremes) in places.into_iter().zip(extremes?) {
+            let Some((place, test)) = place.zip(requirement.0) else {
+                continue;
+            };
+            if !(test.of_all)(&extremes) {
+                self.all_are_known &= require(self.results[place], self.known, test);
+            }
         }
+        self.has_gaps |= G::HAS_GAPS;
         Some(())
     }
 
@@ -163,6 +187,27 @@ impl Destination for Columns<'_, '_> {
     }
 }
 
+/// Writes what a kernel gives to columns, and finds what each spans. None where lengths differ.
+fn written<K, const WANTED: u64, const FIXED: usize, const ALONG: usize, const RESULTS: usize>(
+    fixed: &[f64; FIXED],
+    along: [&[f64]; ALONG],
+    columns: [&mut [f64]; RESULTS],
+) -> Option<[Extremes; RESULTS]>
+where
+    K: Kernel<FIXED, ALONG, RESULTS>,
+{
+    let rows = along.first().map_or(0, |column| column.len());
+    let wanted = columns
+        .iter()
+        .enumerate()
+        .filter(|(place, _)| WANTED >> place & 1 == 1);
+    if wanted.into_iter().any(|(_, column)| column.len() != rows) {
+        return None;
+    }
+    let mut writing = Writing::<WANTED, RESULTS>(columns);
+    fold::<K, _, FIXED, ALONG, RESULTS>(Level::best(), fixed, along, &mut writing).ok()
+}
+
 /// Numbers that may not be what they are for that rotor alone cannot be reduced.
 fn checked<const RESULTS: usize>(
     extremes: [Extremes; RESULTS],
@@ -171,7 +216,7 @@ fn checked<const RESULTS: usize>(
 ) -> Option<()> {
     let all = extremes.iter().zip(places);
     let mut wanted = all.filter(|(_, place)| place.is_some());
-    let holds = |extremes: &Extremes| requirement.test.is_none_or(|test| (test.of_all)(extremes));
+    let holds = |extremes: &Extremes| requirement.0.is_none_or(|test| (test.of_all)(extremes));
     wanted.all(|(extremes, _)| holds(extremes)).then_some(())
 }
 

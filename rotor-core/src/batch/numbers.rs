@@ -122,10 +122,7 @@ impl Numbers {
 
     /// Whether a stage, the first of its alternatives, is to be computed anew.
     fn is_stale(&self, stage: Stage, row: &Row) -> bool {
-        let stages = alternatives(stage);
-        let inputs = stages
-            .iter()
-            .fold(0, |inputs, stage| inputs | stage.inputs());
+        let (stages, inputs) = (alternatives(stage), own(stage).inputs());
         let model = if stages.len() > 1 {
             row.model_changed()
         } else {
@@ -162,11 +159,37 @@ impl Numbers {
     }
 }
 
+/// For each stage the first column that it computes, found while the crate is built: what a stage passes on is another's.
+const OWN: [Column; Stage::ALL.len()] = {
+    let mut own = [Column::ALL[0]; Stage::ALL.len()];
+    let mut place = 0;
+    while place < own.len() {
+        let gives = Stage::ALL[place].gives();
+        let mut given = gives.len();
+        while given > 0 {
+            given -= 1;
+            let stages = gives[given].stages();
+            let mut number = 0;
+            while number < stages.len() {
+                if stages[number] as usize == place {
+                    own[place] = gives[given];
+                }
+                number += 1;
+            }
+        }
+        place += 1;
+    }
+    own
+};
+
+/// The first column that a stage computes.
+const fn own(stage: Stage) -> Column {
+    OWN[stage as usize]
+}
+
 /// The stages that give the same columns as a stage, itself among them: more than one are alternatives.
-fn alternatives(stage: Stage) -> &'static [Stage] {
-    let given = stage.gives().iter().map(|column| column.stages());
-    let mut given = given.filter(|stages| stages.contains(&stage));
-    given.next().unwrap_or_default()
+const fn alternatives(stage: Stage) -> &'static [Stage] {
+    own(stage).stages()
 }
 
 /// Runs the rows of a stage, from lists to lists.
@@ -293,9 +316,7 @@ impl Points<'_> {
 
     /// Whether a stage has the same numbers at all points.
     fn gives_the_same(&self, stage: Stage) -> bool {
-        let own = |column: &&Column| column.stages().contains(&stage);
-        let column = stage.gives().iter().find(own);
-        column.is_none_or(|column| !self.varies(*column))
+        !self.varies(own(stage))
     }
 
     /// Computes a stage that has the same numbers at all points.
