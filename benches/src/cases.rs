@@ -11,8 +11,7 @@ mod scans;
 use std::thread;
 
 use lanes::{ALL, Kernel, Level, store};
-use rotor_core::study::table::TableError;
-use rotor_core::study::{Collected, ScanError};
+use rotor_core::study::Collected;
 
 use crate::column::{Column, FIRST_INPUT};
 use crate::inputs::{self, BLOCK, PHYSICAL, STREAM};
@@ -35,12 +34,9 @@ pub enum CaseError {
         /// The depth over the radius.
         depth: f64,
     },
-    /// There is no table of these columns.
+    /// There is no such scan or table, or it did not run.
     #[error(transparent)]
-    Table(#[from] TableError),
-    /// There is no such scan, or it did not run.
-    #[error(transparent)]
-    Scan(#[from] ScanError),
+    Study(#[from] rotor_core::error::Error),
     /// There is no input of that name.
     #[error("there is no input {name}")]
     Input {

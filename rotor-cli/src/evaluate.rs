@@ -10,14 +10,13 @@ use std::collections::VecDeque;
 use std::path::Path;
 use std::sync::mpsc;
 
+use rotor_core::error::Error;
 use rotor_core::input::RotorParameters;
 use rotor_core::jeffcott::region::RegionKind;
 use rotor_core::jeffcott::rotor::Rotor;
 use rotor_core::quantity::Quantity;
 use rotor_core::reason;
 use rotor_core::study;
-use rotor_core::study::Reason;
-use rotor_core::study::table::TableError;
 use rotor_core::text::brief;
 use rotor_core::warning::Warning;
 
@@ -145,8 +144,8 @@ fn name_of(path: &Path) -> String {
 }
 
 /// A result, or why there is none. A zero of a region may be all that is left of a number too small for double precision.
-fn checked(rotor: &Rotor, quantity: Quantity, result: Result<f64, Reason>) -> Result<f64, String> {
-    let value = result.map_err(|reason| reason::of_quantity(&reason))?;
+fn checked(rotor: &Rotor, quantity: Quantity, result: Result<f64, Error>) -> Result<f64, String> {
+    let value = result.map_err(|error| error.to_string())?;
     let underflow = quantity
         .region()
         .filter(|_| value == 0.0)
@@ -253,7 +252,7 @@ impl Evaluation {
     }
 
     /// Evaluates a piece: in packs, and the rows that lack a result once more, for the reason.
-    fn evaluate(&self, piece: &Piece) -> Result<Answers, TableError> {
+    fn evaluate(&self, piece: &Piece) -> Result<Answers, Error> {
         let inputs = Inputs::of(piece, &self.columns, &self.base);
         let mut values = inputs.evaluate(&self.quantities)?;
         let mut answers = Answers {

@@ -13,12 +13,11 @@ mod vary;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
+use rotor_core::error::{Error, StudyError};
 use rotor_core::input::INPUTS;
 use rotor_core::input::Variable;
 use rotor_core::jeffcott::rotor::Rotor;
-use rotor_core::study::{
-    Cancel, Control, Counts, Plan, Report, Sampling, Scan, ScanError, Stopped,
-};
+use rotor_core::study::{Cancel, Control, Counts, Plan, Report, Sampling, Scan, Stopped};
 
 use crate::command_line::ScanArguments;
 use crate::failure::{Failure, Outcome};
@@ -136,7 +135,7 @@ fn plan(arguments: &ScanArguments, base: &Rotor) -> Result<Plan, Failure> {
     scan.plan().map_err(of_scan)
 }
 
-fn of_scan(error: ScanError) -> Failure {
+fn of_scan(error: Error) -> Failure {
     Failure::input(error.to_string())
 }
 
@@ -280,7 +279,7 @@ impl Running<'_> {
     fn stopped(&self, stopped: Stopped<Failure>, parts: Option<&Parts>) -> Failure {
         match stopped {
             Stopped::Sink(failure) => failure,
-            Stopped::Scan(ScanError::Cancelled { .. }) => {
+            Stopped::Scan(Error::Study(StudyError::Cancelled { .. })) => {
                 let all = self.plan.chunk_count();
                 let finished = parts.map_or(0, Parts::count_finished);
                 match parts {

@@ -2,11 +2,10 @@
 
 use std::fmt::Display;
 
-use rotor_core::jeffcott::region::{self, RegionKind};
+use rotor_core::error::Error;
+use rotor_core::jeffcott::region::{Region, RegionKind};
 use rotor_core::jeffcott::rotor::Rotor;
-use rotor_core::jeffcott::zup::{
-    NoZeroUnstablePoint, ZeroUnstablePoint, zup_angle, zup_depth, zup_position,
-};
+use rotor_core::jeffcott::zup::{ZeroUnstablePoint, zup_angle, zup_depth, zup_position};
 use rotor_core::text::significant;
 
 use crate::command_line::ZupArguments;
@@ -53,10 +52,7 @@ const REGIONS: [(RegionKind, &str); 3] = [
 pub(crate) fn table(rotor: &Rotor) -> Table {
     let mut rows = Vec::new();
     for (kind, short) in REGIONS {
-        let exists = rotor
-            .coefficients()
-            .is_ok_and(|c| region::start(kind, &c).is_ok());
-        if kind != RegionKind::UpperSimple || exists {
+        if kind != RegionKind::UpperSimple || rotor.region(kind).is_ok() {
             rows.extend(region_rows(rotor, kind, short));
         }
     }
@@ -91,7 +87,9 @@ fn region_rows(rotor: &Rotor, kind: RegionKind, short: &str) -> Vec<Vec<Cell>> {
         .coefficients()
         .map_err(|error| error.to_string())
         .and_then(|c| {
-            let asymmetry = region::zup_asymmetry(kind, &c).map_err(|error| error.to_string())?;
+            let asymmetry = Region::of(kind, &c)
+                .and_then(|region| region.zup_asymmetry())
+                .map_err(|error| error.to_string())?;
             let closing = rotor_core::equations::Coefficients {
                 disk_asymmetry: asymmetry,
                 ..c
@@ -143,7 +141,7 @@ fn points(
     short: &str,
     what: &str,
     symbol: &'static str,
-    found: Result<Vec<ZeroUnstablePoint>, NoZeroUnstablePoint>,
+    found: Result<Vec<ZeroUnstablePoint>, Error>,
 ) -> Vec<Vec<Cell>> {
     match found {
         Ok(points) if points.is_empty() => vec![none(short, what, symbol, &"none in range")],

@@ -1,95 +1,56 @@
-//! What can be wrong with a question about stability.
+//! What can go wrong, in one type for the whole crate.
+//!
+//! [`Error`] says of what kind a failure is; each kind has a type of its own with the numbers that its message names, so that a
+//! program can tell them apart. Messages name the quantity, its value and what is allowed.
+//!
+//! ```
+//! use rotor_core::error::{Error, RegionError};
+//! use rotor_core::jeffcott::{region::RegionKind, rotor::Rotor};
+//!
+//! let disk = Rotor::paper().with(|p| p.disk_polar_inertia = 2.0 * p.disk_diametral_inertia)?;
+//! match disk.region(RegionKind::Combination) {
+//!     Err(Error::Region(RegionError::InertiaRatio { beta, limit, .. })) => assert_eq!((beta, limit), (2.0, 2.0)),
+//!     other => panic!("{other:?}"),
+//! }
+//! # Ok::<(), Error>(())
+//! ```
+
+mod boundary;
+mod input;
+mod region;
+mod study;
+mod system;
 
 use thiserror::Error;
 
-/// Why a growth rate, a frequency or a region's end could not be given.
+pub use boundary::BoundaryError;
+pub use input::InputError;
+pub use region::RegionError;
+pub use study::StudyError;
+pub use system::SystemError;
+
+pub(crate) use system::require;
+
+/// Why something could not be answered.
 #[derive(Clone, Debug, Error, PartialEq)]
+#[error(transparent)]
 #[non_exhaustive]
-pub enum StabilityError {
-    /// A number lies outside the range in which the question has a meaning.
-    #[error("{quantity} is {value}; allowed: {allowed}")]
-    OutOfRange {
-        /// The quantity's name.
-        quantity: &'static str,
-        /// The value given.
-        value: f64,
-        /// The allowed values, in words.
-        allowed: &'static str,
-    },
-    /// The stiffness matrix in the rotor's frame is not positive definite: the shaft gives way at rest.
-    #[error(
-        "the stiffness is not positive definite: delta - gamma^2 = {reserve} with epsilon_1 = {epsilon_1}, epsilon_12 = {epsilon_12}, epsilon_2 = {epsilon_2}"
-    )]
-    StiffnessNotPositive {
-        /// δ − γ², which must be positive.
-        reserve: f64,
-        /// ε₁.
-        epsilon_1: f64,
-        /// ε₁₂.
-        epsilon_12: f64,
-        /// ε₂.
-        epsilon_2: f64,
-    },
-    /// No region of this kind exists for these coefficients.
-    #[error("no {kind} instability region: {reason}")]
-    NoRegion {
-        /// `"simple"` or `"combination"`.
-        kind: &'static str,
-        /// What rules it out.
-        reason: &'static str,
-    },
-    /// The region reaches to infinite speed.
-    #[error(
-        "the simple instability region from speed {lower} upwards has no upper end (the disk's asymmetry exceeds |beta - 1|)"
-    )]
-    Unbounded {
-        /// Its lower end, in units of the reference speed.
-        lower: f64,
-    },
-    /// An iteration stopped at its cap.
-    #[error("{what} did not converge in {iterations} iterations")]
-    NoConvergence {
-        /// What was being computed.
-        what: &'static str,
-        /// The cap.
-        iterations: usize,
-    },
-    /// A matrix of a periodic system has the wrong shape.
-    #[error(
-        "the {matrix} matrix has the shape {rows} x {columns}; {expected} x {expected} is needed"
-    )]
-    Shape {
-        /// Which matrix.
-        matrix: &'static str,
-        /// Its rows.
-        rows: usize,
-        /// Its columns.
-        columns: usize,
-        /// The number of degrees of freedom.
-        expected: usize,
-    },
-    /// The mass matrix cannot be inverted.
-    #[error("the mass matrix is singular at time {time}")]
-    SingularMass {
-        /// The time, in units of the inverse reference speed (0 for the matrix of all harmonics together).
-        time: f64,
-    },
+pub enum Error {
+    /// The inputs describe no rotor, or one whose numbers leave the range of double precision.
+    Input(#[from] InputError),
+    /// The rotor has no such instability region, or the region no such quantity.
+    Region(#[from] RegionError),
+    /// A periodic system or its characteristic equation could not be solved.
+    System(#[from] SystemError),
+    /// Growth rates do not show the ends of an instability region.
+    Boundary(#[from] BoundaryError),
+    /// A scan, a reduction or a table of rotors is not possible, or stopped early.
+    Study(#[from] StudyError),
 }
 
-/// Answers `value` where it is finite and `holds`, else an error that names it.
-pub(crate) fn require(
-    quantity: &'static str,
-    value: f64,
-    holds: bool,
-    allowed: &'static str,
-) -> Result<f64, StabilityError> {
-    if value.is_finite() && holds {
-        Ok(value)
-    } else {
-        Err(StabilityError::OutOfRange {
-            quantity,
-            value,
-            allowed,
-        })
-    }
-}
+/// Errors travel between threads, and stay small enough to be returned by value.
+const _: () = {
+    const fn is_shared<T: Send + Sync + 'static>() {}
+    is_shared::<Error>();
+    assert!(size_of::<Error>() <= 96);
+};

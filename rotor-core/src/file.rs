@@ -20,8 +20,9 @@ mod mistake;
 mod reading;
 mod template;
 
+use crate::error::InputError;
 use crate::input::RotorParameters;
-use crate::jeffcott::rotor::{InvalidRotor, Rotor};
+use crate::jeffcott::rotor::Rotor;
 use reading::Reading;
 
 pub use mistake::{Expected, Mistake, MistakeKind};
@@ -52,7 +53,7 @@ pub fn parse_base(text: &str, replaced: &[&str]) -> Result<RotorParameters, Vec<
     let reading = Reading::of(text, replaced)?;
     match Rotor::new(reading.parameters) {
         // Whether the two inertias go together is then known only with what replaces one of them.
-        Err(InvalidRotor::InertiaRatio { .. })
+        Err(InputError::InertiaRatio { .. })
             if INERTIAS.iter().any(|name| replaced.contains(name)) =>
         {
             Ok(reading.parameters)

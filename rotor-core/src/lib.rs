@@ -5,29 +5,34 @@
 //! balance. This crate computes at which speeds, how far around them, how fast, and which disk
 //! asymmetry, crack angle, depth and position cancel each other.
 //!
-//! | module | what |
-//! |---|---|
-//! | [`input`] | the one table of inputs, in SI units, with what each allows |
-//! | [`equations`] | every closed form of the paper, each written once |
-//! | [`jeffcott`] | the paper's rotor: [`rotor`](jeffcott::rotor) validated once, its [`region`](jeffcott::region)s, the [`zup`](jeffcott::zup) at which they close, and their [`exact`](jeffcott::exact) ends and growth rates |
-//! | [`periodic`] | any linear periodic system: Hill's determinant and the monodromy matrix |
-//! | [`model`] | what makes a periodic system of a rotor |
-//! | [`quantity`] | every result by its name |
-//! | [`study`] | quantities over grids, samples and tables of rotors |
-//! | [`warning`], [`reason`] | what is odd about a rotor, and why a result is missing, in words |
-//! | `file` | rotors from TOML files; with the feature `toml` |
-//! | [`corrections`] | E1 to E13: what differs from the printed text, and why |
-//!
 //! ```
-//! use rotor_core::quantity::Quantity;
+//! use rotor_core::jeffcott::region::RegionKind;
 //! use rotor_core::jeffcott::rotor::Rotor;
-//! use rotor_core::input::RotorParameters;
+//! use rotor_core::jeffcott::zup::zup_depth;
 //!
-//! let rotor = Rotor::new(RotorParameters { crack_depth_ratio: 0.1, ..RotorParameters::PAPER })?;
-//! let width = Quantity::SirWidth.evaluate(&rotor)?;
-//! assert!(width > 0.0);
-//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! // The rotor of the paper's Section 4, with another crack; every input is in SI units.
+//! let rotor = Rotor::paper().with(|p| p.crack_depth_ratio = 0.1)?;
+//! let region = rotor.region(RegionKind::Simple)?;
+//! let rad_per_s = rotor.reference_speed()?;
+//! println!("unstable over {:.3} rad/s about {:.1} rad/s", region.width()? * rad_per_s, region.start() * rad_per_s);
+//! // The depth, over the shaft's radius, at which the crack cancels the disk's asymmetry.
+//! let closing = zup_depth(&rotor, RegionKind::Simple)?;
+//! assert_eq!(closing.len(), 1);
+//! # Ok::<(), rotor_core::error::Error>(())
 //! ```
+//!
+//! | to … | see |
+//! |---|---|
+//! | describe a rotor | [`input`], the one table of inputs, and [`Rotor`](jeffcott::rotor::Rotor); `file` with the feature `toml` |
+//! | ask for one region | [`Region`](jeffcott::region::Region), [`zup`](jeffcott::zup), [`exact`](jeffcott::exact) |
+//! | see all regions, checked against each other | [`Survey`](model::Survey) |
+//! | scan grids, samples and tables of rotors | [`study`], of any [`quantity`] |
+//! | solve another periodic system | [`periodic`] (Hill's determinant, the monodromy matrix), [`model`] |
+//! | use the paper's equations themselves | [`equations`], [`corrections`] (E1 to E13: what differs from the printed text, and why) |
+//! | know what went wrong, or is odd | [`error`], [`reason`], [`warning`] |
+//!
+//! The equations are those of *Parametric instability of a Jeffcott rotor with rotationally asymmetric inertia and transverse
+//! crack*, Nonlinear Dynamics (2013).
 //!
 //! # Features
 //!
@@ -51,6 +56,7 @@ pub mod model;
 pub mod periodic;
 pub mod quantity;
 pub mod reason;
+mod region;
 pub mod study;
 pub mod text;
 pub mod unit;

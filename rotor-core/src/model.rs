@@ -4,11 +4,13 @@
 //! algebra, as [`jeffcott`](crate::jeffcott) has them, are what a model may have in addition.
 
 mod jeffcott;
+mod survey;
 
-use crate::error::StabilityError;
+use crate::error::Error;
 use crate::periodic::{PeriodicSystem, hill};
 
 pub use jeffcott::confirm_ends;
+pub use survey::{Survey, SurveyedRegion};
 
 /// A rotor whose motion at a constant speed is that of a linear system with periodic matrices.
 ///
@@ -25,7 +27,7 @@ pub trait Model {
     ///
     /// # Errors
     /// Where there are none at this speed: a speed that is not a positive number, a rotor out of its range.
-    fn system(&self, speed: f64) -> Result<PeriodicSystem, StabilityError>;
+    fn system(&self, speed: f64) -> Result<PeriodicSystem, Error>;
 
     /// How many harmonics on each side of zero Hill's method needs for this model.
     fn harmonics(&self) -> usize;
@@ -34,7 +36,7 @@ pub trait Model {
     ///
     /// # Errors
     /// As [`Model::system`] and [`hill::growth_rate`].
-    fn growth_rate(&self, speed: f64) -> Result<f64, StabilityError> {
+    fn growth_rate(&self, speed: f64) -> Result<f64, Error> {
         hill::growth_rate(&self.system(speed)?, self.harmonics())
     }
 }

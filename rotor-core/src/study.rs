@@ -35,7 +35,6 @@
 mod axis;
 mod chunk;
 mod collected;
-mod error;
 mod one;
 mod reduce;
 mod run;
@@ -45,6 +44,7 @@ mod space;
 pub mod table;
 mod threads;
 
+use crate::error::{Error, StudyError};
 use crate::input::RotorParameters;
 use crate::jeffcott::rotor::Rotor;
 use crate::quantity::Quantity;
@@ -54,8 +54,7 @@ pub use crate::input::Variable;
 pub use axis::Axis;
 pub use chunk::{Chunk, Counts, POINTS_PER_CHUNK};
 pub use collected::{Collected, Column};
-pub use error::ScanError;
-pub use one::{Reason, evaluate, evaluate_at};
+pub use one::{evaluate, evaluate_at};
 pub use reduce::{MOST_BINS, MOST_RESULTS, Reduced, Reduction, Reductions};
 pub use run::{Cancel, Chunks, Control, MOST_COLLECTED, Report, Saved, Stopped};
 pub use sample::{Distribution, Sampling};
@@ -112,9 +111,9 @@ impl Scan {
     /// # Errors
     /// Where nothing is varied or asked for, a variable is varied twice, a quantity needs a speed and it is not varied,
     /// there are more points than [`MOST_POINTS`], or a reduction is none or keeps more than [`MOST_RESULTS`].
-    pub fn plan(self) -> Result<Plan, ScanError> {
+    pub fn plan(self) -> Result<Plan, Error> {
         if self.quantities.is_empty() {
-            return Err(ScanError::NoQuantity);
+            return Err(StudyError::NoQuantity.into());
         }
         let space = Space::new(self.axes)?;
         let has_speed = space.axes().iter().any(|axis| axis.varies(Variable::Speed));
@@ -124,7 +123,7 @@ impl Scan {
             .filter(|quantity| quantity.needs_speed());
         if let Some(quantity) = at_speed.next().filter(|_| !has_speed) {
             let quantity = quantity.name();
-            return Err(ScanError::NoSpeed { quantity });
+            return Err(StudyError::NoSpeed { quantity }.into());
         }
         let groupings = reduce::groupings(&self.reductions, &space, self.quantities.len())?;
         Ok(Plan {

@@ -10,27 +10,34 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// For each room those that it may use. Arrows point one way: a room stands below all that it uses.
-const ALLOWED: [(&str, &[&str]); 15] = [
+const ALLOWED: [(&str, &[&str]); 16] = [
     ("unit", &[]),
     ("text", &[]),
+    ("region", &[]),
     ("input", &["text", "unit"]),
+    ("error", &["input", "region", "text"]),
     ("warning", &["input", "text"]),
     ("equations", &["input"]),
-    ("error", &[]),
     ("periodic", &["error"]),
-    ("jeffcott", &["equations", "error", "input", "warning"]),
+    (
+        "jeffcott",
+        &["equations", "error", "input", "region", "warning"],
+    ),
     ("model", &["equations", "error", "jeffcott", "periodic"]),
-    ("quantity", &["equations", "input", "jeffcott", "unit"]),
+    (
+        "quantity",
+        &["equations", "error", "input", "jeffcott", "unit"],
+    ),
     (
         "batch",
         &["equations", "error", "input", "jeffcott", "quantity"],
     ),
-    ("study", &["batch", "input", "jeffcott", "quantity"]),
     (
-        "reason",
-        &["equations", "error", "jeffcott", "periodic", "study"],
+        "study",
+        &["batch", "error", "input", "jeffcott", "quantity"],
     ),
-    ("file", &["input", "jeffcott", "text"]),
+    ("reason", &["equations", "error", "jeffcott"]),
+    ("file", &["error", "input", "jeffcott", "text"]),
     ("corrections", &[]),
 ];
 

@@ -5,14 +5,15 @@
 )]
 
 use rotor_core::equations::Coefficients;
+use rotor_core::error::{BoundaryError, Error};
 use rotor_core::input::RotorParameters;
 use rotor_core::jeffcott::exact::Ends;
-use rotor_core::jeffcott::region::{self, RegionKind};
+use rotor_core::jeffcott::region::{Region, RegionKind};
 use rotor_core::jeffcott::rotor::Rotor;
 use rotor_core::model::{Model, confirm_ends};
-use rotor_core::periodic::boundary::{self, Boundary, NoBoundary};
+use rotor_core::periodic::boundary::{self, Boundary};
 
-fn search(c: &Coefficients, start: f64, width: f64) -> Result<Boundary, NoBoundary> {
+fn search(c: &Coefficients, start: f64, width: f64) -> Result<Boundary, Error> {
     boundary::search(|speed| c.growth_rate(speed), start, width)
 }
 
@@ -29,8 +30,11 @@ fn ends_by_hill_are_the_exact_ones_over_angles_and_depths() {
     for kind in [RegionKind::Simple, RegionKind::Combination] {
         for (depth, angle) in [(0.05, 0.3), (0.2, 0.0), (0.2, 1.5), (0.3, 0.8), (0.4, 1.2)] {
             let c = coefficients(|p| (p.crack_depth_ratio, p.crack_angle) = (depth, angle));
-            let exact = region::exact_ends(kind, &c).unwrap();
-            let (start, width) = (region::start(kind, &c), region::width(kind, &c));
+            let exact = Region::of(kind, &c).unwrap().exact_ends().unwrap();
+            let (start, width) = (
+                Region::of(kind, &c).map(|region| region.start()),
+                Region::of(kind, &c).and_then(|region| region.width()),
+            );
             for hill in [
                 confirm_ends(&c, exact).unwrap(),
                 search(&c, start.unwrap(), width.unwrap()).unwrap(),
@@ -48,7 +52,10 @@ fn ends_by_hill_are_the_exact_ones_over_angles_and_depths() {
 #[test]
 fn ends_do_not_follow_exact_ones_that_are_wrong() {
     let c = Rotor::default().coefficients().unwrap();
-    let exact = region::exact_ends(RegionKind::Simple, &c).unwrap();
+    let exact = Region::of(RegionKind::Simple, &c)
+        .unwrap()
+        .exact_ends()
+        .unwrap();
     let moved = |part: f64| Ends {
         upper: exact.upper + part * exact.width(),
         ..exact
@@ -61,7 +68,7 @@ fn ends_do_not_follow_exact_ones_that_are_wrong() {
         );
     }
     let far = confirm_ends(&c, moved(-0.3)).unwrap_err();
-    assert!(!far.is_contradiction(), "{far}");
+    assert!(!boundary::is_contradiction(&far), "{far}");
     let elsewhere = Ends {
         lower: exact.lower + 2.0 * exact.width(),
         upper: exact.upper + 2.0 * exact.width(),
@@ -76,11 +83,17 @@ fn a_closed_region_is_told_apart_from_a_narrow_one() {
         upper: 0.7,
     };
     let c = coefficients(|p| (p.crack_depth_ratio, p.disk_asymmetry) = (0.0, 0.0));
-    assert_eq!(confirm_ends(&c, closed), Err(NoBoundary::Closed));
+    assert_eq!(confirm_ends(&c, closed), Err(BoundaryError::Closed.into()));
     let c = coefficients(|p| (p.crack_depth_ratio, p.disk_asymmetry) = (0.0, 1e-5));
-    let narrow = region::exact_ends(RegionKind::Simple, &c).unwrap();
+    let narrow = Region::of(RegionKind::Simple, &c)
+        .unwrap()
+        .exact_ends()
+        .unwrap();
     let why = confirm_ends(&c, narrow).unwrap_err();
-    assert!(matches!(why, NoBoundary::TooNarrow { .. }), "{why}");
+    assert!(
+        matches!(why, Error::Boundary(BoundaryError::TooNarrow { .. })),
+        "{why}"
+    );
 }
 
 #[test]
@@ -88,7 +101,7 @@ fn an_end_that_is_not_near_is_none() {
     // From 2.48 upwards the motion grows at every speed.
     let c = coefficients(|p| p.disk_polar_inertia = 0.95 * p.disk_diametral_inertia);
     let kind = RegionKind::UpperSimple;
-    let start = region::start(kind, &c).unwrap();
-    let found = search(&c, start, region::width(kind, &c).unwrap());
-    assert_eq!(found, Err(NoBoundary::Endless));
+    let start = Region::of(kind, &c).unwrap().start();
+    let found = search(&c, start, Region::of(kind, &c).unwrap().width().unwrap());
+    assert_eq!(found, Err(BoundaryError::Endless.into()));
 }

@@ -8,7 +8,7 @@ use nalgebra::Complex;
 use proptest::prelude::*;
 use rotor_core::equations::{self, Coefficients};
 use rotor_core::jeffcott::exact;
-use rotor_core::jeffcott::region::{self, RegionKind};
+use rotor_core::jeffcott::region::{Region, RegionKind};
 use rotor_core::jeffcott::rotor::Rotor;
 
 prop_compose! {
@@ -222,7 +222,7 @@ proptest! {
             if kind == RegionKind::UpperSimple && c.beta >= 1.0 {
                 continue;
             }
-            let speed = region::start(kind, &c).unwrap();
+            let speed = Region::of(kind, &c).unwrap().start();
             let omega = match kind {
                 RegionKind::Combination => equations::cir_omega::value(&c),
                 RegionKind::Simple | RegionKind::UpperSimple => speed,
@@ -251,11 +251,11 @@ fn excess_growth(kind: RegionKind, c: &Coefficients, part: f64, small: f64) -> f
         disk_asymmetry: small * c.disk_asymmetry,
         ..*c
     };
-    let detuning = 0.5 * part * region::width(kind, &c).unwrap();
-    let speed = region::start(kind, &c).unwrap() + detuning;
-    let approximate = region::growth_rate(kind, &c, detuning).unwrap();
+    let detuning = 0.5 * part * Region::of(kind, &c).unwrap().width().unwrap();
+    let speed = Region::of(kind, &c).unwrap().start() + detuning;
+    let approximate = Region::of(kind, &c).unwrap().growth_rate(detuning).unwrap();
     let exact = exact::growth_rate(&c, speed).unwrap();
-    (approximate - exact) / region::growth_rate(kind, &c, 0.0).unwrap()
+    (approximate - exact) / Region::of(kind, &c).unwrap().growth_rate(0.0).unwrap()
 }
 
 /// Eq. (29) neglects what is of the next order in the excitation. That shifts the region: of the rates on both sides

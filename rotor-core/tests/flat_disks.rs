@@ -6,7 +6,7 @@ use std::f64::consts::FRAC_PI_2;
 use nalgebra::{DMatrix, DVector};
 use rotor_core::equations::Coefficients;
 use rotor_core::jeffcott::exact::{combination_ends, growth_rate};
-use rotor_core::jeffcott::region::{self, RegionKind};
+use rotor_core::jeffcott::region::{Region, RegionKind};
 use rotor_core::jeffcott::rotor::Rotor;
 use rotor_core::model::Model;
 use rotor_core::periodic::{hill, monodromy};
@@ -62,7 +62,7 @@ fn the_growth_rates_of_flat_disks_agree() -> TestResult {
                 crack_angle: angle,
                 ..Rotor::default().coefficients()?
             };
-            let start = region::start(RegionKind::Combination, &c)?;
+            let start = Region::of(RegionKind::Combination, &c)?.start();
             let ends = combination_ends(&c, start)?;
             // Between the ends the growth is an arch; beside them the motion is stable.
             for part in [-0.7, -0.2, 0.1, 0.3, 0.5, 0.7, 0.9, 1.2, 1.7] {

@@ -4,7 +4,7 @@
 use rotor_core::equations::{self, Coefficients};
 use rotor_core::input::{CrackModel, RotorParameters};
 use rotor_core::jeffcott::exact;
-use rotor_core::jeffcott::region::{self, RegionKind};
+use rotor_core::jeffcott::region::{Region, RegionKind};
 use rotor_core::jeffcott::rotor::Rotor;
 use rotor_core::model::Model;
 use rotor_core::periodic::hill;
@@ -23,7 +23,7 @@ fn uncoupled_rotors_have_generated_widths() {
         };
         let c = Rotor::new(p).unwrap().coefficients().unwrap();
         let (simple, combination) = equations::widths_midspan_arm::value(&p, 32.0);
-        let expected = region::width(RegionKind::Simple, &c).unwrap();
+        let expected = Region::of(RegionKind::Simple, &c).unwrap().width().unwrap();
         assert!(
             (simple - expected).abs() <= 1e-13 * expected,
             "{simple} {expected}"
@@ -51,7 +51,9 @@ fn an_angle_of_any_size_counts() {
                 both(&|c| exact::growth_rate(c, speed).unwrap()),
                 both(&|c| exact::simple_region_ends(c).unwrap()[0]),
                 both(&|c| {
-                    region::exact_ends(RegionKind::Combination, c)
+                    Region::of(RegionKind::Combination, c)
+                        .unwrap()
+                        .exact_ends()
                         .unwrap()
                         .upper
                 }),

@@ -9,7 +9,7 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
 use approx::assert_relative_eq;
 use rotor_core::input::RotorParameters;
-use rotor_core::jeffcott::region::{self, RegionKind};
+use rotor_core::jeffcott::region::{Region, RegionKind};
 use rotor_core::jeffcott::rotor::Rotor;
 use rotor_core::jeffcott::zup::{zup_depth, zup_position};
 use rotor_core::quantity::Quantity;
@@ -79,7 +79,10 @@ fn exact_widths_at_three_angles() {
             .coefficients()
             .expect("the paper's rotor has coefficients");
         for (kind, expected) in [(RegionKind::Simple, sir), (RegionKind::Combination, cir)] {
-            let ends = region::exact_ends(kind, &c).expect("the paper's rotor has both regions");
+            let ends = Region::of(kind, &c)
+                .expect("the paper's rotor has both regions")
+                .exact_ends()
+                .expect("the paper's rotor has both regions");
             // The width is a difference of two numbers that each have all digits.
             assert!(
                 (ends.width() - expected).abs() <= 1e-12 * expected.max(1e-3 * ends.upper),

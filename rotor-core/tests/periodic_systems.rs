@@ -1,18 +1,16 @@
 //! Hill's method and the monodromy matrix on systems other than the rotor, with known answers.
 
-use std::error::Error;
-
 use approx::assert_relative_eq;
 use nalgebra::DMatrix;
-use rotor_core::error::StabilityError;
+use rotor_core::error::{Error, SystemError};
 use rotor_core::jeffcott::rotor::Rotor;
 use rotor_core::model::Model;
 use rotor_core::periodic::{FourierMatrix, PeriodicSystem, hill, monodromy};
 
-type TestResult = Result<(), Box<dyn Error>>;
+type TestResult = Result<(), Box<dyn std::error::Error>>;
 
 /// y'' + (a − 2q cos 2t) y = 0.
-fn mathieu(a: f64, q: f64) -> Result<PeriodicSystem, StabilityError> {
+fn mathieu(a: f64, q: f64) -> Result<PeriodicSystem, Error> {
     let number = |x| DMatrix::from_element(1, 1, x);
     let stiffness =
         FourierMatrix::constant(number(a)).with_harmonic(1, number(-2.0 * q), number(0.0));
@@ -73,7 +71,7 @@ fn hills_method_converges_with_the_harmonics_on_mathieus_equation() -> TestResul
 }
 
 /// y'' + (a − 2α² + 4mα cos 2t + 2α² cos 4t) y = 0, the equation of Whittaker and Hill.
-fn whittaker_hill(m: f64, alpha: f64, a: f64) -> Result<PeriodicSystem, StabilityError> {
+fn whittaker_hill(m: f64, alpha: f64, a: f64) -> Result<PeriodicSystem, Error> {
     let number = |x| DMatrix::from_element(1, 1, x);
     let square = 2.0 * alpha * alpha;
     let stiffness = FourierMatrix::constant(number(a - square))
@@ -116,7 +114,7 @@ fn two_harmonics_change_stability_where_their_solutions_are_periodic() -> TestRe
 
 /// Two coupled motions whose mass, damping and stiffness all have a first and a second harmonic, or of which the mass
 /// does not vary.
-fn two_harmonics(frequency: f64, mass_varies: bool) -> Result<PeriodicSystem, StabilityError> {
+fn two_harmonics(frequency: f64, mass_varies: bool) -> Result<PeriodicSystem, Error> {
     let two = |rows: [f64; 4]| DMatrix::from_row_slice(2, 2, &rows);
     let constant_mass = FourierMatrix::constant(two([1.0, 0.2, 0.2, 1.5]));
     let mass = if mass_varies {
@@ -174,7 +172,7 @@ fn half_the_frequency_makes_second_harmonics_of_first_ones() -> TestResult {
 #[test]
 fn the_damped_asymmetric_shaft_ends_where_its_closed_form_does() -> TestResult {
     // (k₁ − Ω²)(k₂ − Ω²) + c²Ω² = 0 with k = 0.9 and 1.1, c = 0.04.
-    let growth = |speed: f64| -> Result<[f64; 2], StabilityError> {
+    let growth = |speed: f64| -> Result<[f64; 2], Error> {
         let two = |rows: [f64; 4]| DMatrix::from_row_slice(2, 2, &rows);
         let system = PeriodicSystem::new(
             2.0 * speed,
@@ -216,21 +214,21 @@ fn periodic_systems_are_checked() -> TestResult {
     let square = |size| DMatrix::<f64>::identity(size, size);
     assert!(matches!(
         PeriodicSystem::new(1.0, square(2), square(3), square(2)),
-        Err(StabilityError::Shape {
+        Err(Error::System(SystemError::Shape {
             matrix: "damping",
             rows: 3,
             columns: 3,
             expected: 2
-        })
+        }))
     ));
     let uneven = FourierMatrix::constant(square(2)).with_harmonic(3, square(2), square(1));
     assert!(matches!(
         PeriodicSystem::new(1.0, square(2), square(2), uneven),
-        Err(StabilityError::Shape {
+        Err(Error::System(SystemError::Shape {
             matrix: "stiffness",
             rows: 1,
             ..
-        })
+        }))
     ));
     assert!(PeriodicSystem::new(0.0, square(2), square(2), square(2)).is_err());
     let singular = PeriodicSystem::new(1.0, square(2) * 0.0, square(2), square(2))?;
@@ -238,7 +236,10 @@ fn periodic_systems_are_checked() -> TestResult {
         hill::growth_rate(&singular, 1),
         monodromy::growth_rate(&singular, 1e-9),
     ] {
-        assert_eq!(growth, Err(StabilityError::SingularMass { time: 0.0 }));
+        assert_eq!(
+            growth,
+            Err(Error::System(SystemError::SingularMass { time: 0.0 }))
+        );
     }
     Ok(())
 }

@@ -12,7 +12,7 @@ use proptest::prelude::*;
 use rotor_core::equations::{self, Coefficients};
 use rotor_core::input::{CrackEdge, CrackModel, RotorParameters};
 use rotor_core::jeffcott::exact::simple_region_ends;
-use rotor_core::jeffcott::region::{self, RegionKind};
+use rotor_core::jeffcott::region::{Region, RegionKind};
 use rotor_core::jeffcott::rotor::Rotor;
 use rotor_core::jeffcott::zup::{ZeroUnstablePoint, zup_angle, zup_depth, zup_position};
 use rotor_core::quantity::Quantity;
@@ -69,7 +69,9 @@ fn width(rotor: &Rotor, kind: RegionKind) -> f64 {
     let c = rotor
         .coefficients()
         .expect("a common rotor has coefficients");
-    region::width(kind, &c).expect("both regions exist below beta = 2")
+    Region::of(kind, &c)
+        .and_then(|region| region.width())
+        .expect("both regions exist below beta = 2")
 }
 
 fn with_angle(rotor: &Rotor, angle: f64) -> Rotor {
@@ -160,7 +162,9 @@ fn size(quantity: Quantity, value: f64, rotor: &Rotor) -> f64 {
 
 /// Eq. (32) with the sizes of its terms.
 fn closing(kind: RegionKind, c: &Coefficients) -> f64 {
-    let speed = region::start(kind, c).expect("exists");
+    let speed = Region::of(kind, c)
+        .map(|region| region.start())
+        .expect("exists");
     let omega = match kind {
         RegionKind::Combination => equations::cir_omega::value(c),
         RegionKind::Simple | RegionKind::UpperSimple => speed,
@@ -278,7 +282,8 @@ fn passages(rotor: &Rotor, values: &[f64], set: impl Fn(&mut RotorParameters, f6
         .iter()
         .map(|&value| {
             let c = rotor.with(|p| set(p, value)).expect("valid").coefficients();
-            let closing = region::zup_asymmetry(RegionKind::Simple, &c.expect("common"));
+            let closing = Region::of(RegionKind::Simple, &c.expect("common"))
+                .and_then(|region| region.zup_asymmetry());
             closing.expect("exists").abs() - rotor.parameters().disk_asymmetry
         })
         .collect();

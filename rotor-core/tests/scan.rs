@@ -4,12 +4,13 @@
 use std::f64::consts::PI;
 use std::sync::Mutex;
 
+use rotor_core::error::StudyError;
 use rotor_core::input::NumericInput;
 use rotor_core::jeffcott::rotor::Rotor;
 use rotor_core::quantity::Quantity;
 use rotor_core::study::{
     Axis, Cancel, Chunk, Control, Counts, Distribution, Plan, Reduced, Reduction, Sampling, Scan,
-    ScanError, Sink, Statistic, Stopped,
+    Sink, Statistic, Stopped,
 };
 
 fn input(name: &str) -> &'static NumericInput {
@@ -249,7 +250,7 @@ fn a_run_that_goes_on_from_a_state_ends_as_one_without_a_break() {
     }
     let damaged = &states[0].2[1..];
     let refused = plan.reduce_from(1, Counts::none(1), damaged, &threads(1), |_| {});
-    assert_eq!(refused.unwrap_err(), ScanError::ForeignState);
+    assert_eq!(refused.unwrap_err(), StudyError::ForeignState.into());
 }
 
 /// Keeps the first point of each chunk, refuses one, has one already.
@@ -310,7 +311,7 @@ fn a_cancelled_scan_stops_and_says_how_far_it_came() {
         progress: Some(&after_one),
     };
     let stopped = plan.reduce(&control).unwrap_err();
-    assert_eq!(stopped, ScanError::Cancelled { chunks: 1, all: 3 });
+    assert_eq!(stopped, StudyError::Cancelled { chunks: 1, all: 3 }.into());
 }
 
 #[test]

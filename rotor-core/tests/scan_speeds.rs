@@ -1,17 +1,15 @@
 //! Scans along the speed, inside and outside of other axes, against growth rates point by point.
 #![allow(clippy::unwrap_used, reason = "helpers of tests fail by panicking too")]
 
+use rotor_core::error::{InputError, StudyError};
 use rotor_core::input::Variable;
 use rotor_core::input::{NumericInput, RotorParameters};
 use rotor_core::jeffcott::exact;
 use rotor_core::jeffcott::rotor::Rotor;
 use rotor_core::quantity::Quantity;
 use rotor_core::study;
-use rotor_core::study::Reason;
 use rotor_core::study::table::{self, Column};
-use rotor_core::study::{
-    Axis, Control, Distribution, Plan, Reduction, Sampling, Scan, ScanError, Statistic,
-};
+use rotor_core::study::{Axis, Control, Distribution, Plan, Reduction, Sampling, Scan, Statistic};
 
 const ASKED: [Quantity; 3] = [
     Quantity::GrowthRate,
@@ -144,9 +142,10 @@ fn without_a_speed_or_a_rotor_there_is_none() {
     let error = scan.plan().unwrap_err();
     assert_eq!(
         error,
-        ScanError::NoSpeed {
+        StudyError::NoSpeed {
             quantity: "growth_rate"
         }
+        .into()
     );
     assert!(
         error
@@ -156,7 +155,13 @@ fn without_a_speed_or_a_rotor_there_is_none() {
     let reason = Quantity::GrowthRate
         .evaluate(&Rotor::default())
         .unwrap_err();
-    assert_eq!(reason, Reason::NoSpeed(Quantity::GrowthRate));
+    assert_eq!(
+        reason,
+        InputError::NoSpeed {
+            quantity: "growth_rate"
+        }
+        .into()
+    );
     let not_allowed = Axis::linear(Variable::Speed, (0.0, 2.0), 3).unwrap_err();
     assert_eq!(
         not_allowed.to_string(),

@@ -5,7 +5,7 @@
 use rotor_core::equations::Coefficients;
 use rotor_core::input::{CrackEdge, CrackModel, RotorParameters};
 use rotor_core::jeffcott::exact::Ends;
-use rotor_core::jeffcott::region::{self, RegionKind};
+use rotor_core::jeffcott::region::{Region, RegionKind};
 use rotor_core::jeffcott::rotor::Rotor;
 
 type TestResult = Result<(), Box<dyn std::error::Error>>;
@@ -52,7 +52,7 @@ fn coefficients_and_ends_are_read_as_they_were_written() -> TestResult {
     let text = serde_json::to_string(&coefficients)?;
     let read: Coefficients = serde_json::from_str(&text)?;
     assert!((read.gamma - coefficients.gamma).abs() <= 1e-15 * coefficients.gamma.abs());
-    let ends = region::exact_ends(RegionKind::Simple, &coefficients)?;
+    let ends = Region::of(RegionKind::Simple, &coefficients)?.exact_ends()?;
     let read: Ends = serde_json::from_str(&serde_json::to_string(&ends)?)?;
     assert!((read.width() - ends.width()).abs() < 1e-15);
     Ok(())

@@ -1,19 +1,18 @@
 //! The exact ends against reference values, and the three ways to the growth rate against each other.
 
-use std::error::Error;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
 use approx::assert_relative_eq;
 use rotor_core::equations::Coefficients;
-use rotor_core::error::StabilityError;
+use rotor_core::error::{Error, RegionError, SystemError};
 use rotor_core::jeffcott::exact::{
     Ends, combination_ends, growth_rate, simple_region_ends, squared_offsets, whirl_frequencies,
 };
-use rotor_core::jeffcott::region::{self, RegionKind, exact_ends};
+use rotor_core::jeffcott::region::{Region, RegionKind};
 use rotor_core::model::Model;
 use rotor_core::periodic::{hill, monodromy};
 
-type TestResult = Result<(), Box<dyn Error>>;
+type TestResult = Result<(), Box<dyn std::error::Error>>;
 
 const SIR_START: f64 = 0.738865908331634;
 const CIR_START: f64 = 2.55315222063586;
@@ -61,7 +60,7 @@ impl Reference {
     }
 }
 
-fn random_rotors() -> Result<Vec<Reference>, Box<dyn Error>> {
+fn random_rotors() -> Result<Vec<Reference>, Box<dyn std::error::Error>> {
     let text = std::fs::read_to_string(concat!(
         env!("CARGO_MANIFEST_DIR"),
         "/../tests/reference/random_rotors.csv"
@@ -72,7 +71,7 @@ fn random_rotors() -> Result<Vec<Reference>, Box<dyn Error>> {
         .map(|line| {
             let cells: Vec<&str> = line.split(',').collect();
             // An end that does not exist is an empty cell.
-            let number = |name: &str| -> Result<f64, Box<dyn Error>> {
+            let number = |name: &str| -> Result<f64, Box<dyn std::error::Error>> {
                 let column = names
                     .iter()
                     .position(|n| *n == name)
@@ -118,7 +117,7 @@ fn relative_error(found: Ends, expected: Ends) -> f64 {
 }
 
 /// The ends nearest to `start`, of those that pair up from below.
-fn simple_ends(c: &Coefficients, start: f64) -> Result<Ends, StabilityError> {
+fn simple_ends(c: &Coefficients, start: f64) -> Result<Ends, Error> {
     let ends = simple_region_ends(c)?;
     let distance = |ends: &Ends| (ends.lower - start).max(start - ends.upper).max(0.0);
     let pairs = ends.chunks(2).map(|pair| Ends {
@@ -128,9 +127,9 @@ fn simple_ends(c: &Coefficients, start: f64) -> Result<Ends, StabilityError> {
     let nearest = pairs.min_by(|a, b| distance(a).total_cmp(&distance(b)));
     match nearest {
         Some(nearest) if nearest.upper.is_finite() => Ok(nearest),
-        nearest => Err(StabilityError::Unbounded {
+        nearest => Err(Error::Region(RegionError::Unbounded {
             lower: nearest.map_or(f64::NAN, |region| region.lower),
-        }),
+        })),
     }
 }
 
@@ -145,7 +144,7 @@ fn simple_ends_of_the_random_rotors() -> TestResult {
         let expected = row.ends[0];
         // Inside one region one of the four roots S is negative, and so is their product. In two rows an open region
         // holds the other one inside it: there two roots are negative. The pairs of neighbouring ends, taken from
-        // below, are then not the regions, and only `region::exact_ends` gives the inner one.
+        // below, are then not the regions, and only `Region::exact_ends` gives the inner one.
         let speed = 0.5 * (expected.lower + expected.upper);
         assert!(growth_rate(&row.coefficients, speed)? > 0.0, "row {index}");
         let roots = squared_offsets(&row.coefficients, speed)?;
@@ -175,7 +174,10 @@ fn exact_ends_of_the_regions_of_the_random_rotors() -> TestResult {
             .enumerate()
             .filter(|&(place, _)| row.comparable(place))
         {
-            let error = relative_error(exact_ends(kind, &row.coefficients)?, row.ends[place]);
+            let error = relative_error(
+                Region::of(kind, &row.coefficients)?.exact_ends()?,
+                row.ends[place],
+            );
             // The table's own ends of the combination region in row 79 are off by 1e-11: see below.
             let allowed = match (index, kind) {
                 (79, RegionKind::Combination) => 1e-10,
@@ -316,7 +318,7 @@ fn regions_of_an_asymmetric_disk_near_equal_inertias() -> TestResult {
     }
     assert!(matches!(
         simple_ends(&uncracked(1.0, -0.5, 1.6, 0.2), 10.0),
-        Err(StabilityError::Unbounded { lower }) if lower < 10.0
+        Err(Error::Region(RegionError::Unbounded { lower })) if lower < 10.0
     ));
     assert_eq!(
         simple_region_ends(&uncracked(0.5, -0.5, 1.6, 0.2))?.len(),
@@ -473,10 +475,10 @@ fn wrong_questions_are_refused_by_name() -> TestResult {
     for speed in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         assert!(matches!(
             growth_rate(&c, speed),
-            Err(StabilityError::OutOfRange {
+            Err(Error::System(SystemError::OutOfRange {
                 quantity: "speed",
                 ..
-            })
+            }))
         ));
     }
     let bad = Coefficients {
@@ -485,10 +487,10 @@ fn wrong_questions_are_refused_by_name() -> TestResult {
     };
     assert!(matches!(
         growth_rate(&bad, 1.0),
-        Err(StabilityError::OutOfRange {
+        Err(Error::System(SystemError::OutOfRange {
             quantity: "gamma",
             ..
-        })
+        }))
     ));
     let bad = Coefficients {
         disk_asymmetry: 1.0,
@@ -496,10 +498,10 @@ fn wrong_questions_are_refused_by_name() -> TestResult {
     };
     assert!(matches!(
         simple_ends(&bad, 1.0),
-        Err(StabilityError::OutOfRange {
+        Err(Error::System(SystemError::OutOfRange {
             quantity: "disk_asymmetry",
             ..
-        })
+        }))
     ));
     Ok(())
 }
@@ -510,26 +512,26 @@ fn rotors_without_regions_are_refused_by_name() -> TestResult {
     let weak = Coefficients { delta: 0.5, ..c };
     assert!(matches!(
         simple_ends(&weak, 1.0),
-        Err(StabilityError::StiffnessNotPositive { .. })
+        Err(Error::Region(RegionError::StiffnessNotPositive { .. }))
     ));
     assert!(matches!(
         combination_ends(&weak, 1.0),
-        Err(StabilityError::StiffnessNotPositive { .. })
+        Err(Error::Region(RegionError::StiffnessNotPositive { .. }))
     ));
     let flat = Coefficients { beta: 2.0, ..c };
     assert!(matches!(
         combination_ends(&flat, 2.0),
-        Err(StabilityError::NoRegion {
-            kind: "combination",
+        Err(Error::Region(RegionError::NoExactEnds {
+            kind: RegionKind::Combination,
             ..
-        })
+        }))
     ));
     assert!(matches!(
         combination_ends(&c, f64::INFINITY),
-        Err(StabilityError::OutOfRange {
+        Err(Error::System(SystemError::OutOfRange {
             quantity: "start",
             ..
-        })
+        }))
     ));
     Ok(())
 }
@@ -547,7 +549,7 @@ fn an_end_at_which_a_minor_vanishes_is_no_end() -> TestResult {
         disk_asymmetry: 0.384_354_941_920_740_93,
         crack_angle: -1.758_655_316_741_417,
     };
-    let start = region::start(RegionKind::Combination, &c)?;
+    let start = Region::of(RegionKind::Combination, &c)?.start();
     let ends = combination_ends(&c, start)?;
     assert_relative_eq!(ends.upper, 1.252_697_144_767_602_6, max_relative = 1e-13);
     Ok(())

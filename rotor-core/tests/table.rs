@@ -2,11 +2,12 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests fail by panicking too")]
 
 use proptest::prelude::*;
+use rotor_core::error::StudyError;
 use rotor_core::input::{CrackEdge, CrackModel, INPUTS, NumericInput, RotorParameters};
 use rotor_core::jeffcott::rotor::Rotor;
 use rotor_core::quantity::Quantity;
 use rotor_core::study;
-use rotor_core::study::table::{Column, TableError, evaluate};
+use rotor_core::study::table::{Column, evaluate};
 
 fn input(name: &str) -> &'static NumericInput {
     NumericInput::find(name).unwrap()
@@ -124,7 +125,7 @@ fn columns_that_are_no_table_are_refused() {
         let refused = evaluate(&RotorParameters::PAPER, columns, &[Quantity::Beta]);
         refused.unwrap_err().to_string()
     };
-    assert_eq!(refused(&[]), TableError::NoColumn.to_string());
+    assert_eq!(refused(&[]), StudyError::NoColumn.to_string());
     assert_eq!(
         refused(&[column(mass, &two), column(length, &three)]),
         "the column of shaft_length has 3 rows; it must have 2, as that of disk_mass has"

@@ -4,7 +4,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use rotor_core::input::RotorParameters;
-use rotor_core::jeffcott::region::{self, RegionKind};
+use rotor_core::jeffcott::region::{Region, RegionKind};
 use rotor_core::jeffcott::rotor::Rotor;
 use rotor_tests::relative_error;
 
@@ -46,8 +46,8 @@ fn widths(kind: RegionKind, [asymmetry, depth, position, angle]: [f64; 4]) -> Op
     // Nothing is excited at the corner of the range.
     (asymmetry > 0.0 || depth > 0.0).then(|| {
         [
-            region::width(kind, &c).unwrap(),
-            region::exact_ends(kind, &c).unwrap().width(),
+            Region::of(kind, &c).unwrap().width().unwrap(),
+            Region::of(kind, &c).unwrap().exact_ends().unwrap().width(),
         ]
     })
 }

@@ -5,7 +5,7 @@ use nalgebra::DMatrix;
 use rotor_core::equations::Coefficients;
 use rotor_core::input::RotorParameters;
 use rotor_core::jeffcott::exact::Ends;
-use rotor_core::jeffcott::region::{self, RegionKind};
+use rotor_core::jeffcott::region::{Region, RegionKind};
 use rotor_core::jeffcott::rotor::Rotor;
 use rotor_core::periodic::{FourierMatrix, PeriodicSystem, hill, monodromy};
 use rotor_tests::{Record, number, relative_error, table};
@@ -170,7 +170,10 @@ fn ends_of_the_tilting_disk() {
             crack_angle: 0.0,
         };
         // Of the two simple regions the transverse motion's, at the speed 1, is the lower one.
-        let ends = region::exact_ends(RegionKind::UpperSimple, &c).unwrap();
+        let ends = Region::of(RegionKind::UpperSimple, &c)
+            .unwrap()
+            .exact_ends()
+            .unwrap();
         assert!(relative_error(end(ends, &row), number(&row, "value")) <= 1e-10);
     }
 }
@@ -193,7 +196,7 @@ fn ends_of_the_dimensionless_rotors() {
         } else {
             RegionKind::Combination
         };
-        let ends = region::exact_ends(kind, &c).unwrap();
+        let ends = Region::of(kind, &c).unwrap().exact_ends().unwrap();
         let error = relative_error(end(ends, &row), number(&row, "value"));
         assert!(
             error <= 1e-11,

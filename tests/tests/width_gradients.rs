@@ -5,7 +5,7 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use rotor_core::input::{CrackEdge, CrackModel, INPUTS};
-use rotor_core::jeffcott::region::{self, RegionKind};
+use rotor_core::jeffcott::region::RegionKind;
 use rotor_core::jeffcott::rotor::Rotor;
 use rotor_tests::{Record, number, parameters, relative_error, table};
 
@@ -44,7 +44,7 @@ fn the_widths_and_their_partials_by_every_input() {
             (RegionKind::Simple, "sir_width"),
             (RegionKind::Combination, "cir_width"),
         ] {
-            let (width, partials) = region::width_gradient(kind, &rotor).unwrap();
+            let (width, partials) = rotor.width_gradient(kind).unwrap();
             let error = relative_error(width, number(row, name));
             worst_width = worst_width.max(error);
             assert!(

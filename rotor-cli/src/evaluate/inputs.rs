@@ -6,10 +6,11 @@ use arrow_array::cast::AsArray;
 use arrow_array::types::Float64Type;
 use arrow_array::{Array, RecordBatch};
 use arrow_schema::DataType;
+use rotor_core::error::Error;
 use rotor_core::input::{NumericInput, RotorParameters};
 use rotor_core::quantity::Quantity;
 use rotor_core::study;
-use rotor_core::study::table::{self, Column, TableError};
+use rotor_core::study::table::{self, Column};
 use rotor_core::warning::{is_doubtful, is_watched};
 
 use super::columns::Columns;
@@ -127,7 +128,7 @@ impl<'a> Inputs<'a> {
     }
 
     /// Evaluates all rows: for each quantity a column, NaN where a rotor has none or a row is none.
-    pub(super) fn evaluate(&self, quantities: &[Quantity]) -> Result<Vec<Vec<f64>>, TableError> {
+    pub(super) fn evaluate(&self, quantities: &[Quantity]) -> Result<Vec<Vec<f64>>, Error> {
         if self.base_of.iter().all(|base| *base == Some(0)) {
             let columns = self.numbers.iter();
             let columns = columns.map(|(input, values)| Column { input, values });

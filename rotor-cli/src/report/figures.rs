@@ -7,8 +7,9 @@ mod widths;
 mod zero_unstable_points;
 
 use rotor_core::equations::Coefficients;
+use rotor_core::error::RegionError;
 use rotor_core::input::RotorParameters;
-use rotor_core::jeffcott::region::{self, NoRegion, RegionKind};
+use rotor_core::jeffcott::region::{Region, RegionKind};
 use rotor_core::jeffcott::rotor::Rotor;
 use rotor_core::text::{shortened, shortest};
 use rotor_plot::{Axis, Curve, Dash, Figure, Mark, Panel, Plot, Ticks};
@@ -106,9 +107,9 @@ fn absence(kind: RegionKind, rotor: &Rotor) -> String {
     let Some(c) = changed(rotor, |_| {}) else {
         return String::new();
     };
-    match region::start(kind, &c) {
+    match Region::of(kind, &c) {
         Ok(_) => String::new(),
-        Err(NoRegion::InertiaRatio { beta, .. }) => {
+        Err(RegionError::InertiaRatio { beta, .. }) => {
             let region = match kind {
                 RegionKind::Simple => "simple",
                 RegionKind::UpperSimple => "second simple",
@@ -131,13 +132,14 @@ fn changed(rotor: &Rotor, change: impl FnOnce(&mut RotorParameters)) -> Option<C
 
 /// The approximate width at another crack angle.
 fn width_at(kind: RegionKind, c: &Coefficients, angle: f64) -> Option<f64> {
-    region::width(
+    Region::of(
         kind,
         &Coefficients {
             crack_angle: angle,
             ..*c
         },
     )
+    .and_then(|region| region.width())
     .ok()
 }
 

@@ -5,10 +5,12 @@ use std::f64::consts::PI;
 use rotor_core::input::INPUTS;
 use rotor_core::jeffcott::exact::Ends;
 use rotor_core::jeffcott::region::RegionKind;
+use rotor_core::model::SurveyedRegion;
 use rotor_core::quantity::Quantity;
+use rotor_core::reason;
 use rotor_core::text::{shortest, significant};
 
-use super::analysis::{Analysis, Region};
+use super::analysis::Analysis;
 use crate::table::{Cell, Table};
 use crate::zup;
 
@@ -19,7 +21,8 @@ const SPEED_DIGITS: usize = 7;
 /// All tables, in the order of the report.
 pub(crate) fn tables(analysis: &Analysis) -> Vec<Table> {
     let mut tables = vec![inputs(analysis), coefficients(analysis)];
-    tables.extend(analysis.regions.iter().map(|(kind, region)| match region {
+    let regions = analysis.survey.regions.iter();
+    tables.extend(regions.map(|(kind, region)| match region {
         Ok(found) => region_table(analysis, *kind, found),
         Err(why) => Table {
             title: region_title(*kind),
@@ -30,6 +33,7 @@ pub(crate) fn tables(analysis: &Analysis) -> Vec<Table> {
     }));
     tables.extend(
         analysis
+            .survey
             .unstable_from
             .map(|lower| open_table(analysis, lower)),
     );
@@ -153,7 +157,7 @@ fn region_title(kind: RegionKind) -> String {
     format!("{first}{} ({condition})", letters.as_str())
 }
 
-fn region_table(analysis: &Analysis, kind: RegionKind, region: &Region) -> Table {
+fn region_table(analysis: &Analysis, kind: RegionKind, region: &SurveyedRegion) -> Table {
     let equation = if kind == RegionKind::Combination {
         "Eq. (16)"
     } else {
@@ -174,7 +178,7 @@ fn region_table(analysis: &Analysis, kind: RegionKind, region: &Region) -> Table
             rows.push(speeds(analysis, "exact lower end", ends.lower));
             rows.push(speeds(analysis, "exact upper end", ends.upper));
             rows.push(speeds(analysis, "exact width", ends.width()));
-            let lower = analysis.unstable_from.unwrap_or(f64::INFINITY);
+            let lower = analysis.survey.unstable_from.unwrap_or(f64::INFINITY);
             notes.extend(no_boundary(ends, lower).map(|what| {
                 let lower = significant(lower, DIGITS);
                 format!("{what}: from {lower} × ω_st upwards every speed is unstable.")
@@ -188,7 +192,10 @@ fn region_table(analysis: &Analysis, kind: RegionKind, region: &Region) -> Table
             "width by Hill's method, Eq. (40)",
             hill.width(),
         )),
-        Err(why) => notes.push(format!("No width by Hill's method: {why}.")),
+        Err(why) => {
+            let why = reason::of_boundary(why);
+            notes.push(format!("No width by Hill's method: {why}."));
+        }
     }
     let differences = [
         (

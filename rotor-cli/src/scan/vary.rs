@@ -2,10 +2,11 @@
 
 use std::path::Path;
 
+use rotor_core::error::Error;
 use rotor_core::input::Variable;
 use rotor_core::input::name::nearest;
 use rotor_core::input::{INPUTS, RotorParameters};
-use rotor_core::study::{Axis, ScanError};
+use rotor_core::study::Axis;
 use rotor_core::unit::TIMES_REFERENCE_SPEED;
 
 use crate::failure::Failure;
@@ -78,7 +79,7 @@ pub(super) fn variable(name: &str) -> Result<Variable, String> {
 
 /// The axis of one variable.
 fn one(variable: Variable, values: &str) -> Result<Axis, String> {
-    let words = |error: ScanError| format!("\"{values}\": {error}");
+    let words = |error: Error| format!("\"{values}\": {error}");
     if let Some((path, column)) = file_and_column(values) {
         return from_file(variable, path, column);
     }

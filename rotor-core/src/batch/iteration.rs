@@ -4,7 +4,7 @@ use lanes::{Kernel, LONGEST, Pack, Simd};
 
 use crate::equations::chain::coefficients_of_numbers;
 use crate::jeffcott::exact;
-use crate::jeffcott::region::{self, RegionKind};
+use crate::jeffcott::region::{Region, RegionKind};
 
 /// The exact ends of a region, the lower and the upper, from its number and the coefficients.
 pub(super) struct Ends;
@@ -38,7 +38,8 @@ pub(super) fn number_of(region: RegionKind) -> f64 {
 fn ends([region, numbers @ ..]: &[f64; 9]) -> [f64; 2] {
     let found = RegionKind::ALL
         .get(*region as usize)
-        .and_then(|kind| region::exact_ends(*kind, &coefficients_of_numbers(numbers)).ok());
+        .and_then(|kind| Region::of(*kind, &coefficients_of_numbers(numbers)).ok())
+        .and_then(|region| region.exact_ends().ok());
     found.map_or([f64::NAN; 2], |ends| [ends.lower, ends.upper])
 }
 

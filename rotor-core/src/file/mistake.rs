@@ -6,9 +6,9 @@ use std::ops::Range;
 use thiserror::Error;
 
 use super::SECTIONS;
+use crate::error::InputError;
 use crate::input::name::{InputName, input_names};
 use crate::input::{NumericInput, UnknownChoice};
-use crate::jeffcott::rotor::InvalidRotor;
 use crate::text::{brief, shortened, shortest, significant};
 
 /// One mistake in a file. Its `Display` is a title; [`label`](Self::label) stands beside what is marked, and
@@ -93,7 +93,7 @@ pub enum MistakeKind {
         nearest: Option<String>,
     },
     /// Inputs that are each allowed, but not together.
-    Invalid(InvalidRotor),
+    Invalid(InputError),
 }
 
 /// What a value in a file must be.
@@ -167,7 +167,7 @@ impl fmt::Display for MistakeKind {
                 };
                 write!(f, "{told}")
             }
-            Self::Invalid(InvalidRotor::InertiaRatio { beta, .. }) => write!(
+            Self::Invalid(InputError::InertiaRatio { beta, .. }) => write!(
                 f,
                 "beta = disk_polar_inertia / disk_diametral_inertia is {}; it must be > 0 and <= 2",
                 significant(*beta, 6)
@@ -233,7 +233,7 @@ impl Mistake {
             MistakeKind::UnknownChoice { nearest, .. } => {
                 format!("did you mean \"{}\"?", nearest.as_ref()?)
             }
-            MistakeKind::Invalid(InvalidRotor::InertiaRatio {
+            MistakeKind::Invalid(InputError::InertiaRatio {
                 disk_polar_inertia,
                 disk_diametral_inertia,
                 ..

@@ -6,9 +6,9 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::{Expected, INERTIAS, Mistake, MistakeKind, SECTIONS};
+use crate::error::InputError;
 use crate::input::name::{CHOICES, InputName, input_names, meant, nearest};
 use crate::input::{INPUTS, NumericInput, RotorParameters};
-use crate::jeffcott::rotor::InvalidRotor;
 
 /// What has been found so far.
 pub(super) struct Reading<'a> {
@@ -253,10 +253,10 @@ impl<'a> Reading<'a> {
     }
 
     /// A mistake of several inputs together, shown at the first of them.
-    pub(super) fn invalid(&self, invalid: InvalidRotor) -> Mistake {
-        let name = match invalid {
-            InvalidRotor::OutOfRange { input, .. } => input.name,
-            InvalidRotor::InertiaRatio { .. } => INERTIAS[0],
+    pub(super) fn invalid(&self, invalid: InputError) -> Mistake {
+        let name = match &invalid {
+            InputError::OutOfRange { input, .. } => input.name,
+            _ => INERTIAS[0],
         };
         let mut given = self.given.iter();
         let span = given.find(|(given, _)| *given == name);

@@ -26,10 +26,10 @@ pub use whirl::whirl_frequencies;
 pub(crate) use frequency_equation::sine_and_cosine_of_double;
 
 use crate::equations::Coefficients;
-use crate::error::{StabilityError, require};
+use crate::error::{Error, require};
 
 /// Rejects coefficients with which no computation makes sense: a NaN, an infinity, a disk with no inertia about one axis.
-pub(crate) fn check_coefficients(c: &Coefficients) -> Result<(), StabilityError> {
+pub(crate) fn check_coefficients(c: &Coefficients) -> Result<(), Error> {
     require("beta", c.beta, c.beta >= 0.0, "a finite number, at least 0")?;
     for (name, value) in [
         ("gamma", c.gamma),

@@ -7,68 +7,10 @@
 #[cfg(test)]
 mod tests;
 
-use thiserror::Error;
-
 use crate::equations::{self, Coefficients, CrackCompliance, SectionLoads, Stiffness};
-use crate::input::{CrackModel, INPUTS, NumericInput, RotorParameters};
+use crate::error::InputError;
+use crate::input::{CrackModel, INPUTS, RotorParameters};
 use crate::warning::{self, Warning};
-
-/// Why inputs describe no rotor.
-#[derive(Clone, Copy, Debug, PartialEq, Error)]
-#[non_exhaustive]
-pub enum InvalidRotor {
-    /// An input is outside the values it allows, or not a finite number.
-    #[error("{name} is {value}{space}{unit}; it must be {allowed}",
-        name = .input.name, unit = .input.unit, allowed = .input.allowed,
-        space = if .input.unit.is_empty() { "" } else { " " })]
-    OutOfRange {
-        /// The row of [`INPUTS`].
-        input: &'static NumericInput,
-        /// What was given.
-        value: f64,
-    },
-    /// More polar inertia than any rigid body has: $I_p \le I_{dx} + I_{dy} = 2I_d$.
-    #[error(
-        "beta = disk_polar_inertia / disk_diametral_inertia = {disk_polar_inertia} kg m² / \
-         {disk_diametral_inertia} kg m² = {beta}; it must be > 0 and <= 2, since no rigid body has more"
-    )]
-    InertiaRatio {
-        /// $\beta = I_p/I_d$.
-        beta: f64,
-        /// $I_p$, kg m².
-        disk_polar_inertia: f64,
-        /// $I_d$, kg m².
-        disk_diametral_inertia: f64,
-    },
-}
-
-/// Why a valid rotor has no coefficients in double precision.
-#[derive(Clone, Copy, Debug, PartialEq, Error)]
-#[non_exhaustive]
-pub enum NoCoefficients {
-    /// The inputs are so extreme that a derived quantity overflows or loses all its digits.
-    #[error(
-        "{quantity} comes out as {value}: the inputs are each allowed, but together they leave \
-         the range of double precision; it must be {allowed}"
-    )]
-    OutOfNumericRange {
-        /// The derived quantity, such as `k_tt`.
-        quantity: &'static str,
-        /// What came out.
-        value: f64,
-        /// What it has to be.
-        allowed: &'static str,
-    },
-    /// $\epsilon_{12} = \Delta k_{tm}/k_{tm}$ with $k_{tm} = 0$ and $\Delta k_{tm} \ne 0$.
-    #[error(
-        "epsilon_12 = delta_k_tm / k_tm is not defined: k_tm is exactly 0 N while delta_k_tm is \
-         {delta_k_tm} N (displacement and tilt are uncoupled in the mean, but not over a turn)"
-    )]
-    CouplingVanishes {
-        /// $\Delta k_{tm}$, N.
-        delta_k_tm: f64,
-    },
-}
 
 /// A rotor whose inputs have passed [`INPUTS`] and $\beta \le 2$.
 ///
@@ -91,9 +33,9 @@ impl Default for Rotor {
 }
 
 impl TryFrom<RotorParameters> for Rotor {
-    type Error = InvalidRotor;
+    type Error = InputError;
 
-    fn try_from(parameters: RotorParameters) -> Result<Self, InvalidRotor> {
+    fn try_from(parameters: RotorParameters) -> Result<Self, InputError> {
         Self::new(parameters)
     }
 }
@@ -118,16 +60,16 @@ impl Rotor {
     /// # Errors
     /// The first input, in the order of [`INPUTS`], that is outside the values it allows; then
     /// $\beta > 2$.
-    pub fn new(parameters: RotorParameters) -> Result<Self, InvalidRotor> {
+    pub fn new(parameters: RotorParameters) -> Result<Self, InputError> {
         for input in &INPUTS {
             let value = (input.get)(&parameters);
             if !input.allowed.contains(value) {
-                return Err(InvalidRotor::OutOfRange { input, value });
+                return Err(InputError::OutOfRange { input, value });
             }
         }
         let beta = parameters.inertia_ratio();
         if !(beta > 0.0 && beta <= 2.0) {
-            return Err(InvalidRotor::InertiaRatio {
+            return Err(InputError::InertiaRatio {
                 beta,
                 disk_polar_inertia: parameters.disk_polar_inertia,
                 disk_diametral_inertia: parameters.disk_diametral_inertia,
@@ -145,7 +87,7 @@ impl Rotor {
     ///
     /// # Errors
     /// As [`Rotor::new`].
-    pub fn with(&self, change: impl FnOnce(&mut RotorParameters)) -> Result<Self, InvalidRotor> {
+    pub fn with(&self, change: impl FnOnce(&mut RotorParameters)) -> Result<Self, InputError> {
         let mut parameters = self.parameters;
         change(&mut parameters);
         Self::new(parameters)
@@ -160,7 +102,7 @@ impl Rotor {
     ///
     /// # Errors
     /// Where a compliance is not a finite number ≥ 0.
-    pub fn compliance(&self) -> Result<CrackCompliance, NoCoefficients> {
+    pub fn compliance(&self) -> Result<CrackCompliance, InputError> {
         let c = equations::crack_compliance::value(
             &self.parameters,
             self.parameters.crack_edge.factor(),
@@ -179,11 +121,11 @@ impl Rotor {
     ///
     /// # Errors
     /// Where an entry is not finite, or the mean stiffness is not positive.
-    pub fn stiffness(&self) -> Result<Stiffness, NoCoefficients> {
+    pub fn stiffness(&self) -> Result<Stiffness, InputError> {
         self.stiffness_of(&self.compliance()?)
     }
 
-    pub(crate) fn stiffness_of(&self, c: &CrackCompliance) -> Result<Stiffness, NoCoefficients> {
+    pub(crate) fn stiffness_of(&self, c: &CrackCompliance) -> Result<Stiffness, InputError> {
         let loads = self.section_loads();
         self.check_flexibility(&loads, c)?;
         let k = equations::stiffness::value(&self.parameters, &loads, c);
@@ -208,7 +150,7 @@ impl Rotor {
         &self,
         loads: &SectionLoads,
         c: &CrackCompliance,
-    ) -> Result<(), NoCoefficients> {
+    ) -> Result<(), InputError> {
         let f = equations::shaft_flexibility(&self.parameters);
         let planes = [
             equations::flexibility_determinant(&f, loads, c.c11, c.c44),
@@ -225,7 +167,7 @@ impl Rotor {
     ///
     /// # Errors
     /// As [`Rotor::stiffness`], and where the speed itself is not a finite number > 0.
-    pub fn reference_speed(&self) -> Result<f64, NoCoefficients> {
+    pub fn reference_speed(&self) -> Result<f64, InputError> {
         self.reference_speed_of(&self.stiffness()?)
     }
 
@@ -234,11 +176,11 @@ impl Rotor {
     ///
     /// # Errors
     /// As [`Rotor::stiffness`]; where a coefficient is not finite; where $k_{tm}$ alone is zero.
-    pub fn coefficients(&self) -> Result<Coefficients, NoCoefficients> {
+    pub fn coefficients(&self) -> Result<Coefficients, InputError> {
         self.coefficients_of(&self.stiffness()?)
     }
 
-    pub(crate) fn reference_speed_of(&self, k: &Stiffness) -> Result<f64, NoCoefficients> {
+    pub(crate) fn reference_speed_of(&self, k: &Stiffness) -> Result<f64, InputError> {
         let speed = equations::reference_speed::value(&self.parameters, k);
         check(
             &[("reference_speed", speed)],
@@ -248,11 +190,11 @@ impl Rotor {
         Ok(speed)
     }
 
-    pub(crate) fn coefficients_of(&self, k: &Stiffness) -> Result<Coefficients, NoCoefficients> {
+    pub(crate) fn coefficients_of(&self, k: &Stiffness) -> Result<Coefficients, InputError> {
         let mut c = equations::coefficients::value(&self.parameters, k);
         if k.k_tm == 0.0 {
             if k.delta_k_tm != 0.0 {
-                return Err(NoCoefficients::CouplingVanishes {
+                return Err(InputError::CouplingVanishes {
                     delta_k_tm: k.delta_k_tm,
                 });
             }
@@ -320,12 +262,12 @@ fn check(
     named: &[(&'static str, f64)],
     holds: impl Fn(f64) -> bool,
     allowed: &'static str,
-) -> Result<(), NoCoefficients> {
+) -> Result<(), InputError> {
     match named
         .iter()
         .find(|(_, value)| !(value.is_finite() && holds(*value)))
     {
-        Some(&(quantity, value)) => Err(NoCoefficients::OutOfNumericRange {
+        Some(&(quantity, value)) => Err(InputError::OutOfNumericRange {
             quantity,
             value,
             allowed,

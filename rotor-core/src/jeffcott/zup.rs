@@ -4,12 +4,11 @@ mod roots;
 
 use std::f64::consts::FRAC_PI_2;
 
-use thiserror::Error;
-
 use crate::equations::{self, Coefficients};
+use crate::error::{Error, RegionError};
 use crate::input::RotorParameters;
-use crate::jeffcott::region::{self, NoRegion, RegionKind};
-use crate::jeffcott::rotor::{InvalidRotor, NoCoefficients, Rotor};
+use crate::jeffcott::region::{Region, RegionKind};
+use crate::jeffcott::rotor::Rotor;
 
 use roots::Sample;
 
@@ -23,29 +22,6 @@ pub struct ZeroUnstablePoint {
     pub crack_angle: f64,
 }
 
-/// Why zero unstable points could not be looked for: the reason at the first value tried.
-#[derive(Clone, Debug, PartialEq, Error)]
-#[non_exhaustive]
-pub enum NoZeroUnstablePoint {
-    /// The rotor has no such region, or the region nothing that closes it.
-    #[error(transparent)]
-    Region(#[from] NoRegion),
-    /// The rotor has no coefficients.
-    #[error(transparent)]
-    Coefficients(#[from] NoCoefficients),
-    /// Neither crack nor disk excites the region, so that every value of what was asked for closes it.
-    #[error(
-        "the {} is closed everywhere: neither the crack nor the disk's asymmetry excites it", .kind.description()
-    )]
-    ClosedEverywhere {
-        /// The region asked for.
-        kind: RegionKind,
-    },
-    /// The changed rotor is not valid.
-    #[error(transparent)]
-    Rotor(#[from] InvalidRotor),
-}
-
 /// The crack angle at which the region is narrowest, and closed if the disk's asymmetry is that of
 /// Eq. (32): $\pi/2$ where the crack and the disk excite alike ($\Theta_1\Theta_2 > 0$), 0 where they
 /// oppose each other (Section 4.2). Where one of them is zero every angle gives the same width, and
@@ -53,14 +29,14 @@ pub enum NoZeroUnstablePoint {
 ///
 /// # Errors
 /// Where the region does not exist.
-pub fn zup_angle(kind: RegionKind, c: &Coefficients) -> Result<f64, NoRegion> {
-    region::start(kind, c)?;
+pub fn zup_angle(kind: RegionKind, c: &Coefficients) -> Result<f64, RegionError> {
+    let region = Region::of(kind, c)?;
     // The closing asymmetry is that of Eq. (32) at pi/2 in a simple region, at 0 in a combination region, and keeps its
     // sign where displacement and tilt are nearly uncoupled. The raw excitations lose theirs there, as H or its partner
     // goes to zero.
-    let closing = match region::zup_asymmetry(kind, c) {
+    let closing = match region.zup_asymmetry() {
         Ok(closing) => closing,
-        Err(NoRegion::Uncoupled { .. }) => return Ok(FRAC_PI_2),
+        Err(RegionError::Uncoupled { .. }) => return Ok(FRAC_PI_2),
         Err(reason) => return Err(reason),
     };
     let product = closing * c.disk_asymmetry;
@@ -77,23 +53,21 @@ pub fn zup_angle(kind: RegionKind, c: &Coefficients) -> Result<f64, NoRegion> {
 ///
 /// # Errors
 /// Where the region does not exist, and where it is closed at every angle because nothing excites it.
-pub fn zup_crack_angle(
-    rotor: &Rotor,
-    kind: RegionKind,
-) -> Result<Vec<ZeroUnstablePoint>, NoZeroUnstablePoint> {
+pub fn zup_crack_angle(rotor: &Rotor, kind: RegionKind) -> Result<Vec<ZeroUnstablePoint>, Error> {
     let c = rotor.coefficients()?;
     let angle = zup_angle(kind, &c)?;
-    let closing = match region::zup_asymmetry(kind, &c) {
+    let region = Region::of(kind, &c)?;
+    let closing = match region.zup_asymmetry() {
         Ok(closing) => closing,
         // The disk takes no part: only a region that is closed at every angle is closed at one.
-        Err(NoRegion::Uncoupled { .. }) if region::width(kind, &c)? == 0.0 => {
-            return Err(NoZeroUnstablePoint::ClosedEverywhere { kind });
+        Err(RegionError::Uncoupled { .. }) if region.width()? == 0.0 => {
+            return Err(RegionError::ClosedEverywhere { kind }.into());
         }
-        Err(NoRegion::Uncoupled { .. }) => return Ok(vec![]),
+        Err(RegionError::Uncoupled { .. }) => return Ok(vec![]),
         Err(reason) => return Err(reason.into()),
     };
     if closing == 0.0 && c.disk_asymmetry == 0.0 {
-        return Err(NoZeroUnstablePoint::ClosedEverywhere { kind });
+        return Err(RegionError::ClosedEverywhere { kind }.into());
     }
     let apart = (closing.abs() - c.disk_asymmetry.abs()).abs();
     let closed = apart <= closing_rounding(kind, &c);
@@ -155,10 +129,7 @@ fn closing_rounding(kind: RegionKind, c: &Coefficients) -> f64 {
 ///
 /// # Errors
 /// Where the region exists at no depth.
-pub fn zup_depth(
-    rotor: &Rotor,
-    kind: RegionKind,
-) -> Result<Vec<ZeroUnstablePoint>, NoZeroUnstablePoint> {
+pub fn zup_depth(rotor: &Rotor, kind: RegionKind) -> Result<Vec<ZeroUnstablePoint>, Error> {
     let grid: Vec<f64> = (0..=DEPTHS)
         .map(|i| f64::from(i) / f64::from(DEPTHS))
         .collect();
@@ -171,10 +142,7 @@ pub fn zup_depth(
 ///
 /// # Errors
 /// Where the region exists at no position, and where without crack and asymmetry it is closed at all of them.
-pub fn zup_position(
-    rotor: &Rotor,
-    kind: RegionKind,
-) -> Result<Vec<ZeroUnstablePoint>, NoZeroUnstablePoint> {
+pub fn zup_position(rotor: &Rotor, kind: RegionKind) -> Result<Vec<ZeroUnstablePoint>, Error> {
     let disk = rotor.parameters().disk_position_ratio;
     let mut grid: Vec<f64> = (1..POSITIONS)
         .map(|i| f64::from(i) / f64::from(POSITIONS))
@@ -206,10 +174,10 @@ fn search(
     kind: RegionKind,
     grid: &[f64],
     set: impl Fn(&mut RotorParameters, f64),
-) -> Result<Vec<ZeroUnstablePoint>, NoZeroUnstablePoint> {
-    let at = |value: f64| -> Result<(Coefficients, f64), NoZeroUnstablePoint> {
+) -> Result<Vec<ZeroUnstablePoint>, Error> {
+    let at = |value: f64| -> Result<(Coefficients, f64), Error> {
         let c = rotor.with(|p| set(p, value))?.coefficients()?;
-        let asymmetry = region::zup_asymmetry(kind, &c)?;
+        let asymmetry = Region::of(kind, &c)?.zup_asymmetry()?;
         Ok((c, asymmetry))
     };
     let asymmetry = rotor.parameters().disk_asymmetry.abs();
@@ -229,7 +197,7 @@ fn search(
     }
     let no_excitation = |&(_, _, closing): &(f64, f64, f64)| closing == 0.0;
     if asymmetry == 0.0 && samples.iter().flatten().all(no_excitation) {
-        return Err(NoZeroUnstablePoint::ClosedEverywhere { kind });
+        return Err(RegionError::ClosedEverywhere { kind }.into());
     }
     let mut points = Vec::new();
     let signed = if asymmetry == 0.0 {
@@ -343,12 +311,12 @@ mod tests {
     fn a_region_that_exists_nowhere_is_an_error() {
         let rotor = paper(|p| p.disk_polar_inertia = 2.0 * p.disk_diametral_inertia);
         let kind = RegionKind::Combination;
-        let reason = NoRegion::InertiaRatio {
+        let reason = RegionError::InertiaRatio {
             kind,
             beta: 2.0,
             limit: 2.0,
         };
-        let error = Err(NoZeroUnstablePoint::Region(reason));
+        let error = Err(Error::Region(reason));
         assert_eq!(zup_depth(&rotor, kind), error);
         assert_eq!(zup_position(&rotor, kind), error);
     }
@@ -363,7 +331,7 @@ mod tests {
     fn without_crack_and_asymmetry_it_is_closed_everywhere() {
         let rotor = paper(|p| (p.disk_asymmetry, p.crack_depth_ratio) = (0.0, 0.0));
         for kind in [RegionKind::Simple, RegionKind::Combination] {
-            let closed = Err(NoZeroUnstablePoint::ClosedEverywhere { kind });
+            let closed = Err(Error::Region(RegionError::ClosedEverywhere { kind }));
             assert_eq!(zup_position(&rotor, kind), closed);
             assert_eq!(zup_crack_angle(&rotor, kind), closed);
         }
@@ -408,8 +376,12 @@ mod tests {
             crack_angle: 0.0,
         };
         for kind in [RegionKind::Simple, RegionKind::Combination] {
-            let width =
-                |crack_angle: f64| region::width(kind, &Coefficients { crack_angle, ..c }).unwrap();
+            let width = |crack_angle: f64| {
+                Region::of(kind, &Coefficients { crack_angle, ..c })
+                    .unwrap()
+                    .width()
+                    .unwrap()
+            };
             let angle = zup_angle(kind, &c).unwrap();
             assert!(
                 width(angle) <= width(FRAC_PI_2 - angle),
@@ -441,8 +413,8 @@ mod tests {
             let rotor = rotor
                 .with(|p| p.crack_position_ratio = point.value)
                 .unwrap();
-            let closing =
-                region::zup_asymmetry(RegionKind::Combination, &rotor.coefficients().unwrap());
+            let closing = Region::of(RegionKind::Combination, &rotor.coefficients().unwrap())
+                .and_then(|region| region.zup_asymmetry());
             assert!((closing.unwrap().abs() - 0.2).abs() < 1e-9, "{point:?}");
         }
     }

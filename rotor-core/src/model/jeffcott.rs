@@ -4,9 +4,9 @@ use nalgebra::DMatrix;
 
 use super::Model;
 use crate::equations::Coefficients;
-use crate::error::{StabilityError, require};
+use crate::error::{Error, require};
 use crate::jeffcott::exact::{self, Ends, check_coefficients, sine_and_cosine_of_double};
-use crate::periodic::boundary::{self, Boundary, NoBoundary};
+use crate::periodic::boundary::{self, Boundary};
 use crate::periodic::{FourierMatrix, PeriodicSystem};
 
 impl Model for Coefficients {
@@ -18,9 +18,9 @@ impl Model for Coefficients {
     ///
     /// # Errors
     ///
-    /// [`StabilityError::OutOfRange`] for a speed that is not positive and finite, a coefficient that is not finite or
+    /// [`SystemError::OutOfRange`] for a speed that is not positive and finite, a coefficient that is not finite or
     /// |Δ_d| ≥ 1.
-    fn system(&self, speed: f64) -> Result<PeriodicSystem, StabilityError> {
+    fn system(&self, speed: f64) -> Result<PeriodicSystem, Error> {
         let c = self;
         check_coefficients(c)?;
         require("speed", speed, speed > 0.0, "a positive number")?;
@@ -92,7 +92,7 @@ impl Model for Coefficients {
 /// # Errors
 ///
 /// As [`boundary::confirm`].
-pub fn confirm_ends(c: &Coefficients, exact: Ends) -> Result<Boundary, NoBoundary> {
+pub fn confirm_ends(c: &Coefficients, exact: Ends) -> Result<Boundary, Error> {
     boundary::confirm(
         |speed| c.growth_rate(speed),
         exact.lower..=exact.upper,

@@ -24,7 +24,7 @@
 //! };
 //! let region = boundary::search(growth, 1.0, 0.4)?;
 //! assert!((region.lower - (1.0 - q)).abs() < 1e-9 && (region.upper - (1.0 + q)).abs() < 1e-9);
-//! # Ok::<(), boundary::NoBoundary>(())
+//! # Ok::<(), rotor_core::error::Error>(())
 //! ```
 
 #[cfg(test)]
@@ -32,9 +32,7 @@ mod tests;
 
 use std::ops::RangeInclusive;
 
-use thiserror::Error;
-
-use crate::error::StabilityError;
+use crate::error::{BoundaryError, Error};
 
 /// Growth rates above this are growth, those below are rounding: what an eigenproblem leaves of an undamped stable motion
 /// is up to 1e-8, the root of a double number's digits, where two eigenvalues nearly meet. This and the next two are for
@@ -72,7 +70,7 @@ const REFINEMENTS: usize = 60;
 type Sample = (f64, f64);
 
 /// The growth rate at a speed.
-type Growth<'a> = &'a dyn Fn(f64) -> Result<f64, StabilityError>;
+type Growth<'a> = &'a dyn Fn(f64) -> Result<f64, Error>;
 
 /// The ends of a region as growth rates show them.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -94,61 +92,14 @@ impl Boundary {
     }
 }
 
-/// Why growth rates do not show the ends of a region.
-#[derive(Clone, Debug, Error, PartialEq)]
-#[non_exhaustive]
-pub enum NoBoundary {
-    /// The region that was expected has no width.
-    #[error("the region is closed, its expected width is 0")]
-    Closed,
-    /// The width to search with is not positive.
-    #[error("the region is closed, its approximate width is {width}")]
-    NoWidth {
-        /// The approximate width.
-        width: f64,
-    },
-    /// Nothing grows fast enough in the middle of the region that was expected.
-    #[error("the region is too narrow to tell, its growth rate is below {limit:.0e}")]
-    TooNarrow {
-        /// Slower growth does not tell a width.
-        limit: f64,
-    },
-    /// Another region begins where the one that was expected ends.
-    #[error("another region adjoins at {speed:.6}, growth rates do not tell the two apart")]
-    Adjoined {
-        /// The end that was expected.
-        speed: f64,
-    },
-    /// Nothing grows near to where the region should start.
-    #[error("within a width of the region's start no growth rate is above {limit:.0e}")]
-    NoGrowth {
-        /// Slower growth does not tell a width.
-        limit: f64,
-    },
-    /// It grows as far as was looked.
-    #[error("the motion grows at every speed on one side, there is no end")]
-    Endless,
-    /// The growth rates are not those of the region that was expected.
-    #[error("at {speed} the growth rate is {growth:.3e}, and {expected:.3e} was expected")]
-    Contradiction {
-        /// Where.
-        speed: f64,
-        /// The growth rate.
-        growth: f64,
-        /// The one that was expected.
-        expected: f64,
-    },
-    /// There is no growth rate at some speed.
-    #[error(transparent)]
-    Failed(#[from] StabilityError),
-}
-
-impl NoBoundary {
-    /// Whether this speaks against the region that was expected, or against the growth rates. The other kinds only leave
-    /// open where the ends are.
-    #[must_use]
-    pub const fn is_contradiction(&self) -> bool {
-        matches!(self, Self::Contradiction { .. } | Self::Failed(_))
+/// Whether an error of [`confirm`] speaks against the region that was expected, or against the growth rates. The others only
+/// leave open where the ends are.
+#[must_use]
+pub const fn is_contradiction(error: &Error) -> bool {
+    match error {
+        Error::Boundary(reason) => matches!(reason, BoundaryError::Contradiction { .. }),
+        Error::System(_) => true,
+        _ => false,
     }
 }
 
@@ -170,7 +121,7 @@ impl<'a> Rates<'a> {
     }
 
     /// The square of the growth rate, none where nothing grows.
-    fn sample(&self, speed: f64) -> Result<Option<Sample>, StabilityError> {
+    fn sample(&self, speed: f64) -> Result<Option<Sample>, Error> {
         let growth = (self.growth)(speed)?;
         Ok((growth > self.grows).then_some((speed, growth * growth)))
     }
@@ -194,14 +145,14 @@ fn rounding(inside: Sample) -> f64 {
 /// Where the region is closed, too narrow to tell its width, or another one adjoins it; where the growth rates contradict
 /// the expected ones; and those of the growth rates.
 pub fn confirm(
-    growth: impl Fn(f64) -> Result<f64, StabilityError>,
+    growth: impl Fn(f64) -> Result<f64, Error>,
     expected: RangeInclusive<f64>,
-    expected_growth: impl Fn(f64) -> Result<f64, StabilityError>,
-) -> Result<Boundary, NoBoundary> {
+    expected_growth: impl Fn(f64) -> Result<f64, Error>,
+) -> Result<Boundary, Error> {
     let (lower, upper) = expected.into_inner();
     let width = upper - lower;
     if width <= 0.0 {
-        return Err(NoBoundary::Closed);
+        return Err(BoundaryError::Closed.into());
     }
     let middle = 0.5 * (lower + upper);
     let rate = growth(middle)?;
@@ -209,14 +160,15 @@ pub fn confirm(
     if rate < limit {
         let expected = expected_growth(middle)?;
         return Err(if expected > 2.0 * limit {
-            NoBoundary::Contradiction {
+            BoundaryError::Contradiction {
                 speed: middle,
                 growth: rate,
                 expected,
             }
         } else {
-            NoBoundary::TooNarrow { limit }
-        });
+            BoundaryError::TooNarrow { limit }
+        }
+        .into());
     }
     let inside = (middle, rate * rate);
     let rates = Rates::about(&growth, inside);
@@ -235,7 +187,7 @@ fn end_near(
     expected: f64,
     width: f64,
     expected_growth: Growth<'_>,
-) -> Result<f64, NoBoundary> {
+) -> Result<f64, Error> {
     let mut samples = vec![inside];
     for part in WAY {
         let speed = inside.0 + part * (expected - inside.0);
@@ -259,14 +211,15 @@ fn end_near(
         let growth = (rates.growth)(speed)?;
         let expected = expected_growth(speed)?;
         if (growth - expected).abs() > 0.5 * growth {
-            return Err(NoBoundary::Contradiction {
+            return Err(BoundaryError::Contradiction {
                 speed,
                 growth,
                 expected,
-            });
+            }
+            .into());
         }
     }
-    Err(NoBoundary::Adjoined { speed: expected })
+    Err(BoundaryError::Adjoined { speed: expected }.into())
 }
 
 /// The ends of the region about `start`, of about the given width, where neither is known.
@@ -275,12 +228,12 @@ fn end_near(
 ///
 /// Where the motion grows nowhere near, or the region has no end near; and those of the growth rates.
 pub fn search(
-    growth: impl Fn(f64) -> Result<f64, StabilityError>,
+    growth: impl Fn(f64) -> Result<f64, Error>,
     start: f64,
     width: f64,
-) -> Result<Boundary, NoBoundary> {
+) -> Result<Boundary, Error> {
     if width <= 0.0 {
-        return Err(NoBoundary::NoWidth { width });
+        return Err(BoundaryError::NoWidth { width }.into());
     }
     let inside = find_growth(&growth, start, width)?;
     let rates = Rates::about(&growth, inside);
@@ -293,7 +246,7 @@ pub fn search(
 }
 
 /// A speed at which the motion grows: the start itself or the nearest to it.
-fn find_growth(growth: Growth<'_>, start: f64, width: f64) -> Result<Sample, NoBoundary> {
+fn find_growth(growth: Growth<'_>, start: f64, width: f64) -> Result<Sample, Error> {
     let limit = TELLS * magnitude(start);
     for look in 0..=LOOKS {
         let offset = width * look as f64 / LOOKS as f64;
@@ -304,11 +257,11 @@ fn find_growth(growth: Growth<'_>, start: f64, width: f64) -> Result<Sample, NoB
             }
         }
     }
-    Err(NoBoundary::NoGrowth { limit })
+    Err(BoundaryError::NoGrowth { limit }.into())
 }
 
 /// Where growth ends, going from a speed inside in the direction of `step` and no further than `reach`.
-fn end_within(rates: &Rates<'_>, inside: Sample, step: f64, reach: f64) -> Result<f64, NoBoundary> {
+fn end_within(rates: &Rates<'_>, inside: Sample, step: f64, reach: f64) -> Result<f64, Error> {
     let mut samples = vec![inside];
     let (mut speed, mut step) = (inside.0 + step, step);
     while speed > 0.0 && (speed - inside.0).abs() <= reach {
@@ -319,15 +272,11 @@ fn end_within(rates: &Rates<'_>, inside: Sample, step: f64, reach: f64) -> Resul
         step *= LONGER;
         speed += step;
     }
-    Err(NoBoundary::Endless)
+    Err(BoundaryError::Endless.into())
 }
 
 /// The end between the last of the samples and a speed beyond it.
-fn refine(
-    rates: &Rates<'_>,
-    mut samples: Vec<Sample>,
-    mut beyond: f64,
-) -> Result<f64, StabilityError> {
+fn refine(rates: &Rates<'_>, mut samples: Vec<Sample>, mut beyond: f64) -> Result<f64, Error> {
     let mut guess = f64::NAN;
     for _ in 0..REFINEMENTS {
         let last = samples.last().map_or(beyond, |sample| sample.0);

@@ -16,7 +16,7 @@
 use nalgebra::{Complex, DMatrix, DVector, Schur};
 
 use super::system::PeriodicSystem;
-use crate::error::{StabilityError, require};
+use crate::error::{Error, SystemError, require};
 
 /// How far from 0 the centre of a kept copy may lie: one half, and room for what truncation moves.
 const CENTRAL: f64 = 0.6;
@@ -34,19 +34,19 @@ const MOST_HARMONICS: usize = 1000;
 ///
 /// # Errors
 ///
-/// [`StabilityError::OutOfRange`] for zero harmonics or more than 1000, [`StabilityError::SingularMass`],
-/// [`StabilityError::NoConvergence`] if the Schur decomposition stops at its cap.
-pub fn growth_rate(system: &PeriodicSystem, harmonics: usize) -> Result<f64, StabilityError> {
+/// [`SystemError::OutOfRange`] for zero harmonics or more than 1000, [`SystemError::SingularMass`],
+/// [`SystemError::NoConvergence`] if the Schur decomposition stops at its cap.
+pub fn growth_rate(system: &PeriodicSystem, harmonics: usize) -> Result<f64, Error> {
     let growth = central_exponents(system, harmonics)?
         .iter()
         .map(|exponent| exponent.re)
         .fold(f64::NEG_INFINITY, f64::max);
-    require(
+    Ok(require(
         "the greatest real part of the central exponents",
         growth,
         true,
         "a finite number; use more harmonics",
-    )
+    )?)
 }
 
 /// The exponents μ with central eigenvectors, in no particular order; at resonance an exponent may appear with two of
@@ -58,7 +58,7 @@ pub fn growth_rate(system: &PeriodicSystem, harmonics: usize) -> Result<f64, Sta
 pub fn central_exponents(
     system: &PeriodicSystem,
     harmonics: usize,
-) -> Result<Vec<Complex<f64>>, StabilityError> {
+) -> Result<Vec<Complex<f64>>, Error> {
     require(
         "the number of harmonics",
         harmonics as f64,
@@ -68,11 +68,10 @@ pub fn central_exponents(
     let companion = companion_matrix(system, harmonics)?;
     let size = companion.nrows();
     let cap = 100 * size;
-    let schur =
-        Schur::try_new(companion, f64::EPSILON, cap).ok_or(StabilityError::NoConvergence {
-            what: "the Schur form of Hill's matrix",
-            iterations: cap,
-        })?;
+    let schur = Schur::try_new(companion, f64::EPSILON, cap).ok_or(SystemError::NoConvergence {
+        what: "the Schur form of Hill's matrix",
+        iterations: cap,
+    })?;
     let (unitary, triangular) = schur.unpack();
     let displacements = unitary.rows(0, size / 2);
     let mut exponents = Vec::with_capacity(2 * system.degrees_of_freedom());
@@ -93,7 +92,7 @@ pub fn central_exponents(
 fn companion_matrix(
     system: &PeriodicSystem,
     harmonics: usize,
-) -> Result<DMatrix<Complex<f64>>, StabilityError> {
+) -> Result<DMatrix<Complex<f64>>, Error> {
     let n = system.degrees_of_freedom();
     let blocks = 2 * harmonics + 1;
     let half = n * blocks;
@@ -122,7 +121,7 @@ fn companion_matrix(
     let solved = quadratic
         .lu()
         .solve(&lower)
-        .ok_or(StabilityError::SingularMass { time: 0.0 })?;
+        .ok_or(SystemError::SingularMass { time: 0.0 })?;
     let square = solved
         .columns(0, half)
         .iter()

@@ -9,7 +9,7 @@ use std::collections::btree_map::Entry;
 use nalgebra::{Complex, DMatrix, Schur};
 
 use super::system::{Accelerations, PeriodicSystem};
-use crate::error::{StabilityError, require};
+use crate::error::{Error, SystemError, require};
 
 /// Substeps of the midpoint rules, extrapolated in this order.
 const SUBSTEPS: [u32; 9] = [2, 4, 6, 8, 10, 12, 14, 16, 18];
@@ -31,20 +31,20 @@ const SWEEPS: usize = 1_000;
 ///
 /// # Errors
 ///
-/// [`StabilityError::OutOfRange`] for the tolerance; [`StabilityError::SingularMass`];
-/// [`StabilityError::NoConvergence`] where the period needs too many panels.
-pub fn growth_rate(system: &PeriodicSystem, tolerance: f64) -> Result<f64, StabilityError> {
+/// [`SystemError::OutOfRange`] for the tolerance; [`SystemError::SingularMass`];
+/// [`SystemError::NoConvergence`] where the period needs too many panels.
+pub fn growth_rate(system: &PeriodicSystem, tolerance: f64) -> Result<f64, Error> {
     let greatest = multipliers(system, tolerance)?
         .iter()
         .map(|multiplier| multiplier.norm())
         .fold(0.0, f64::max);
     let growth = greatest.ln() / system.period();
-    require(
+    Ok(require(
         "the greatest growth rate",
         growth,
         true,
         "a finite number; the motion over one period must not vanish or overflow",
-    )
+    )?)
 }
 
 /// The 2n Floquet multipliers of `system`, the eigenvalues of its [`monodromy_matrix`].
@@ -52,16 +52,12 @@ pub fn growth_rate(system: &PeriodicSystem, tolerance: f64) -> Result<f64, Stabi
 /// # Errors
 ///
 /// As [`growth_rate`].
-pub fn multipliers(
-    system: &PeriodicSystem,
-    tolerance: f64,
-) -> Result<Vec<Complex<f64>>, StabilityError> {
+pub fn multipliers(system: &PeriodicSystem, tolerance: f64) -> Result<Vec<Complex<f64>>, Error> {
     let matrix = monodromy_matrix(system, tolerance)?;
-    let schur =
-        Schur::try_new(matrix, f64::EPSILON, SWEEPS).ok_or(StabilityError::NoConvergence {
-            what: "the Floquet multipliers",
-            iterations: SWEEPS,
-        })?;
+    let schur = Schur::try_new(matrix, f64::EPSILON, SWEEPS).ok_or(SystemError::NoConvergence {
+        what: "the Floquet multipliers",
+        iterations: SWEEPS,
+    })?;
     Ok(schur.complex_eigenvalues().iter().copied().collect())
 }
 
@@ -70,10 +66,7 @@ pub fn multipliers(
 /// # Errors
 ///
 /// As [`growth_rate`].
-pub fn monodromy_matrix(
-    system: &PeriodicSystem,
-    tolerance: f64,
-) -> Result<DMatrix<f64>, StabilityError> {
+pub fn monodromy_matrix(system: &PeriodicSystem, tolerance: f64) -> Result<DMatrix<f64>, Error> {
     require(
         "tolerance",
         tolerance,
@@ -102,10 +95,11 @@ pub fn monodromy_matrix(
             None => panel = 0.5 * length,
         }
     }
-    Err(StabilityError::NoConvergence {
+    Err(SystemError::NoConvergence {
         what: "the monodromy matrix",
         iterations: PANELS,
-    })
+    }
+    .into())
 }
 
 /// A stretch of time, and the accelerations at the times in it: most rules ask for times of the rules before them.
@@ -127,11 +121,7 @@ impl<'a> Panel<'a> {
     }
 
     /// d/dt of [q; q̇] for each column of `state`, after so many of the panel's [`PARTS`].
-    fn derivative(
-        &mut self,
-        state: &DMatrix<f64>,
-        parts: u32,
-    ) -> Result<DMatrix<f64>, StabilityError> {
+    fn derivative(&mut self, state: &DMatrix<f64>, parts: u32) -> Result<DMatrix<f64>, Error> {
         let matrix = match self.known.entry(parts) {
             Entry::Occupied(known) => known.into_mut(),
             Entry::Vacant(place) => {
@@ -147,11 +137,7 @@ impl<'a> Panel<'a> {
     }
 
     /// The state at the end by Gragg's rule with `substeps` (even) steps and smoothing at the end.
-    fn midpoint(
-        &mut self,
-        state: &DMatrix<f64>,
-        substeps: u32,
-    ) -> Result<DMatrix<f64>, StabilityError> {
+    fn midpoint(&mut self, state: &DMatrix<f64>, substeps: u32) -> Result<DMatrix<f64>, Error> {
         let step = self.length / f64::from(substeps);
         let parts = PARTS / substeps;
         let mut before = state.clone();
@@ -171,7 +157,7 @@ fn extrapolated(
     mut panel: Panel<'_>,
     state: &DMatrix<f64>,
     tolerance: f64,
-) -> Result<Option<(DMatrix<f64>, usize)>, StabilityError> {
+) -> Result<Option<(DMatrix<f64>, usize)>, Error> {
     // The last row of the triangle of extrapolations, the highest order at its end.
     let mut row: Vec<DMatrix<f64>> = Vec::with_capacity(SUBSTEPS.len());
     for (rule, &substeps) in SUBSTEPS.iter().enumerate() {

@@ -3,7 +3,7 @@
 use nalgebra::DMatrix;
 
 use super::fourier::FourierMatrix;
-use crate::error::{StabilityError, require};
+use crate::error::{Error, SystemError, require};
 
 /// M(t) q̈ + C(t) q̇ + K(t) q = 0 with n degrees of freedom, all three matrices with the same angular frequency.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,14 +20,14 @@ impl PeriodicSystem {
     ///
     /// # Errors
     ///
-    /// [`StabilityError::OutOfRange`] for a frequency that is not positive and finite or a matrix with a number that is
-    /// not finite, [`StabilityError::Shape`] where the matrices do not have one square shape.
+    /// [`SystemError::OutOfRange`] for a frequency that is not positive and finite or a matrix with a number that is
+    /// not finite, [`SystemError::Shape`] where the matrices do not have one square shape.
     pub fn new(
         frequency: f64,
         mass: impl Into<FourierMatrix>,
         damping: impl Into<FourierMatrix>,
         stiffness: impl Into<FourierMatrix>,
-    ) -> Result<Self, StabilityError> {
+    ) -> Result<Self, Error> {
         require("frequency", frequency, frequency > 0.0, "a positive number")?;
         let system = Self {
             frequency,
@@ -44,12 +44,13 @@ impl PeriodicSystem {
             for amplitude in matrix.amplitudes() {
                 let (rows, columns) = amplitude.shape();
                 if rows != expected || columns != expected {
-                    return Err(StabilityError::Shape {
+                    return Err(SystemError::Shape {
                         matrix: name,
                         rows,
                         columns,
                         expected,
-                    });
+                    }
+                    .into());
                 }
                 if let Some(bad) = amplitude.iter().find(|x| !x.is_finite()) {
                     require("a matrix entry", *bad, false, "a finite number")?;
@@ -93,8 +94,8 @@ impl PeriodicSystem {
     ///
     /// # Errors
     ///
-    /// [`StabilityError::SingularMass`] where the mass does not vary and cannot be inverted.
-    pub(super) fn accelerations(&self) -> Result<Accelerations<'_>, StabilityError> {
+    /// [`SystemError::SingularMass`] where the mass does not vary and cannot be inverted.
+    pub(super) fn accelerations(&self) -> Result<Accelerations<'_>, Error> {
         if self.mass.order() > 0 {
             return Ok(Accelerations::VaryingMass(self));
         }
@@ -102,7 +103,7 @@ impl PeriodicSystem {
         let over_mass = |matrix: &FourierMatrix| {
             matrix
                 .mapped(|amplitude| mass.solve(amplitude))
-                .ok_or(StabilityError::SingularMass { time: 0.0 })
+                .ok_or(SystemError::SingularMass { time: 0.0 })
         };
         Ok(Accelerations::SteadyMass {
             frequency: self.frequency,
@@ -132,8 +133,8 @@ impl Accelerations<'_> {
     ///
     /// # Errors
     ///
-    /// [`StabilityError::SingularMass`] at this time.
-    pub(super) fn at(&self, time: f64) -> Result<DMatrix<f64>, StabilityError> {
+    /// [`SystemError::SingularMass`] at this time.
+    pub(super) fn at(&self, time: f64) -> Result<DMatrix<f64>, Error> {
         let (frequency, damping, stiffness) = match self {
             Self::SteadyMass {
                 frequency,
@@ -150,7 +151,7 @@ impl Accelerations<'_> {
         if let Self::VaryingMass(system) = self
             && !system.mass.at(angle).lu().solve_mut(&mut matrix)
         {
-            return Err(StabilityError::SingularMass { time });
+            return Err(SystemError::SingularMass { time }.into());
         }
         Ok(matrix)
     }

@@ -2,8 +2,8 @@
 
 use crate::input::Variable;
 
-use super::error::ScanError;
 use super::sample::{Distribution, Sampling};
+use crate::error::{Error, StudyError};
 
 /// One axis: one variable that runs through values, or several that run together.
 ///
@@ -47,7 +47,7 @@ impl Axis {
     ///
     /// # Errors
     /// Where there is none, or the variable does not allow one.
-    pub fn listed(variable: impl Into<Variable>, values: Vec<f64>) -> Result<Self, ScanError> {
+    pub fn listed(variable: impl Into<Variable>, values: Vec<f64>) -> Result<Self, Error> {
         let variable = variable.into();
         for (index, &value) in (0..).zip(&values) {
             require_allowed(variable, index, value)?;
@@ -65,7 +65,7 @@ impl Axis {
         variable: impl Into<Variable>,
         (start, stop): (f64, f64),
         count: u64,
-    ) -> Result<Self, ScanError> {
+    ) -> Result<Self, Error> {
         let variable = variable.into();
         require_ends(variable, (start, stop), count)?;
         Self::new(variable, Values::Linear { start, stop }, count)
@@ -80,12 +80,12 @@ impl Axis {
         variable: impl Into<Variable>,
         (start, stop): (f64, f64),
         count: u64,
-    ) -> Result<Self, ScanError> {
+    ) -> Result<Self, Error> {
         let variable = variable.into();
         require_ends(variable, (start, stop), count)?;
         if !(start > 0.0 && stop > 0.0) {
             let input = variable.name();
-            return Err(ScanError::NoLogarithm { input, start, stop });
+            return Err(StudyError::NoLogarithm { input, start, stop }.into());
         }
         Self::new(variable, Values::Logarithmic { start, stop }, count)
     }
@@ -102,7 +102,7 @@ impl Axis {
         variables: &[(impl Into<Variable> + Copy, Distribution)],
         count: u64,
         sampling: Sampling,
-    ) -> Result<Self, ScanError> {
+    ) -> Result<Self, Error> {
         let columns = (0..)
             .zip(variables)
             .map(|(dimension, &(variable, distribution))| {
@@ -122,7 +122,7 @@ impl Axis {
     ///
     /// # Errors
     /// Where there is none, their lengths differ, or two vary the same variable.
-    pub fn linked(axes: Vec<Self>) -> Result<Self, ScanError> {
+    pub fn linked(axes: Vec<Self>) -> Result<Self, Error> {
         let mut linked: Option<Self> = None;
         for axis in axes {
             let Some(linked) = &mut linked else {
@@ -130,26 +130,27 @@ impl Axis {
                 continue;
             };
             if linked.length != axis.length {
-                return Err(ScanError::LinkedLengths {
+                return Err(StudyError::LinkedLengths {
                     first: linked.name(),
                     first_length: linked.length,
                     other: axis.name(),
                     other_length: axis.length,
-                });
+                }
+                .into());
             }
             if let Some(twice) = axis.variables().find(|variable| linked.varies(*variable)) {
                 let input = twice.name();
-                return Err(ScanError::VariedTwice { input });
+                return Err(StudyError::VariedTwice { input }.into());
             }
             linked.columns.extend(axis.columns);
         }
-        linked.ok_or(ScanError::NoAxis)
+        linked.ok_or_else(|| StudyError::NoAxis.into())
     }
 
-    fn new(variable: Variable, values: Values, length: u64) -> Result<Self, ScanError> {
+    fn new(variable: Variable, values: Values, length: u64) -> Result<Self, Error> {
         if length == 0 {
             let input = variable.name();
-            return Err(ScanError::EmptyAxis { input });
+            return Err(StudyError::EmptyAxis { input }.into());
         }
         Ok(Self {
             columns: vec![Column { variable, values }],
@@ -262,29 +263,26 @@ fn between(start: f64, stop: f64, index: u64, last: u64) -> f64 {
     value.clamp(start.min(stop), start.max(stop))
 }
 
-fn require_ends(
-    variable: Variable,
-    (start, stop): (f64, f64),
-    count: u64,
-) -> Result<(), ScanError> {
+fn require_ends(variable: Variable, (start, stop): (f64, f64), count: u64) -> Result<(), Error> {
     require_allowed(variable, 0, start)?;
     require_allowed(variable, count.saturating_sub(1), stop)?;
     if count == 1 && start != stop {
         let input = variable.name();
-        return Err(ScanError::OneValueForTwoEnds { input, start, stop });
+        return Err(StudyError::OneValueForTwoEnds { input, start, stop }.into());
     }
     Ok(())
 }
 
-fn require_allowed(variable: Variable, index: u64, value: f64) -> Result<(), ScanError> {
+fn require_allowed(variable: Variable, index: u64, value: f64) -> Result<(), Error> {
     if variable.allowed().contains(value) {
         Ok(())
     } else {
-        Err(ScanError::NotAllowed {
+        Err(StudyError::NotAllowed {
             variable,
             index,
             value,
-        })
+        }
+        .into())
     }
 }
 
@@ -348,7 +346,7 @@ mod tests {
     #[test]
     fn what_is_no_axis_says_why() {
         let depth = input("crack.depth_ratio");
-        let text = |result: Result<Axis, ScanError>| result.unwrap_err().to_string();
+        let text = |result: Result<Axis, Error>| result.unwrap_err().to_string();
         assert_eq!(
             text(Axis::linear(depth, (0.0, 1.5), 4)),
             "value 4 of the axis of crack_depth_ratio is 1.5; it must be >= 0 and <= 1"

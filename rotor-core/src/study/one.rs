@@ -1,17 +1,16 @@
 //! Quantities of one rotor.
 
 use crate::batch::one_rotor::OneRotor;
+use crate::error::Error;
 use crate::jeffcott::rotor::Rotor;
 use crate::quantity::Quantity;
-
-pub use crate::batch::one_rotor::Reason;
 
 impl Quantity {
     /// Computes it for one rotor; see [`evaluate`] for several and [`evaluate_at`] for those at a speed.
     ///
     /// # Errors
     /// Why the rotor has no such quantity.
-    pub fn evaluate(self, rotor: &Rotor) -> Result<f64, Reason> {
+    pub fn evaluate(self, rotor: &Rotor) -> Result<f64, Error> {
         OneRotor::new(rotor).get(self, None)
     }
 }
@@ -19,7 +18,7 @@ impl Quantity {
 /// Computes several quantities of one rotor, in the order asked for. What they share (the crack's
 /// compliance, the stiffness, the coefficients, the ends of a region) is computed once, and only if
 /// one of them needs it.
-pub fn evaluate(quantities: &[Quantity], rotor: &Rotor) -> Vec<Result<f64, Reason>> {
+pub fn evaluate(quantities: &[Quantity], rotor: &Rotor) -> Vec<Result<f64, Error>> {
     evaluate_at(quantities, rotor, None)
 }
 
@@ -32,13 +31,13 @@ pub fn evaluate(quantities: &[Quantity], rotor: &Rotor) -> Vec<Result<f64, Reaso
 /// let inside = 0.5 * (lower? + upper?);
 /// let growth = evaluate_at(&[Quantity::GrowthRate], &rotor, Some(inside)).remove(0)?;
 /// assert!(growth > 0.0);
-/// # Ok::<(), rotor_core::study::Reason>(())
+/// # Ok::<(), rotor_core::error::Error>(())
 /// ```
 pub fn evaluate_at(
     quantities: &[Quantity],
     rotor: &Rotor,
     speed: Option<f64>,
-) -> Vec<Result<f64, Reason>> {
+) -> Vec<Result<f64, Error>> {
     let shared = OneRotor::new(rotor);
     quantities
         .iter()
@@ -49,7 +48,7 @@ pub fn evaluate_at(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::jeffcott::region::NoRegion;
+    use crate::error::RegionError;
 
     #[test]
     fn together_is_the_same_as_alone() {
@@ -73,7 +72,7 @@ mod tests {
         };
         assert!(sir.is_ok());
         assert!(
-            matches!(cir, Err(Reason::Region(NoRegion::InertiaRatio { .. }))),
+            matches!(cir, Err(Error::Region(RegionError::InertiaRatio { .. }))),
             "{cir:?}"
         );
     }

@@ -12,8 +12,8 @@ use crate::input::Variable;
 
 use super::Plan;
 use super::chunk;
-use super::error::ScanError;
 use super::space::Space;
+use crate::error::{Error, StudyError};
 
 use cells::{Cell, Cells};
 
@@ -27,20 +27,23 @@ pub const MOST_BINS: u32 = 1 << 16;
 const LAYOUT: u8 = 3;
 
 /// Refuses thresholds and bins that are none.
-fn check(statistic: Statistic) -> Result<(), ScanError> {
+fn check(statistic: Statistic) -> Result<(), Error> {
     match statistic {
-        Statistic::CountAbove(value) if !value.is_finite() => Err(ScanError::Threshold { value }),
+        Statistic::CountAbove(value) if !value.is_finite() => {
+            Err(StudyError::Threshold { value }.into())
+        }
         Statistic::Histogram { low, high, bins }
             if !(low.is_finite() && (high - low).is_finite() && low < high)
                 || bins == 0
                 || bins > MOST_BINS =>
         {
-            Err(ScanError::Histogram {
+            Err(StudyError::Histogram {
                 low,
                 high,
                 bins,
                 most: MOST_BINS,
-            })
+            }
+            .into())
         }
         _ => Ok(()),
     }
@@ -104,7 +107,7 @@ pub(super) fn groupings(
     reductions: &[Reduction],
     space: &Space,
     quantities: usize,
-) -> Result<Vec<Grouping>, ScanError> {
+) -> Result<Vec<Grouping>, Error> {
     let groupings: Vec<Grouping> = reductions
         .iter()
         .map(|reduction| grouping(reduction, space))
@@ -116,12 +119,12 @@ pub(super) fn groupings(
         .saturating_mul(quantities as u64);
     if cells > MOST_RESULTS {
         let most = MOST_RESULTS;
-        return Err(ScanError::TooManyResults { cells, most });
+        return Err(StudyError::TooManyResults { cells, most }.into());
     }
     Ok(groupings)
 }
 
-fn grouping(reduction: &Reduction, space: &Space) -> Result<Grouping, ScanError> {
+fn grouping(reduction: &Reduction, space: &Space) -> Result<Grouping, Error> {
     check(reduction.statistic)?;
     let axes = space.axes();
     if let Some(missing) = reduction
@@ -131,11 +134,12 @@ fn grouping(reduction: &Reduction, space: &Space) -> Result<Grouping, ScanError>
     {
         let variables = axes.iter().flat_map(super::Axis::variables);
         let varied: Vec<_> = variables.map(Variable::name).collect();
-        return Err(ScanError::NotVaried {
+        return Err(StudyError::NotVaried {
             reduction: reduction.to_string(),
             input: missing.name(),
             varied: varied.join(", "),
-        });
+        }
+        .into());
     }
     let mut strides = vec![0; axes.len()];
     let mut groups = 1;
@@ -327,18 +331,18 @@ impl<'a> Reductions<'a> {
     }
 
     /// What [`Reductions::to_bytes`] wrote, for the same plan.
-    pub(super) fn from_bytes(plan: &'a Plan, bytes: &[u8]) -> Result<Self, ScanError> {
+    pub(super) fn from_bytes(plan: &'a Plan, bytes: &[u8]) -> Result<Self, Error> {
         let mut reductions = Self::of_all(plan);
         let Some((&LAYOUT, mut rest)) = bytes.split_first() else {
-            return Err(ScanError::ForeignState);
+            return Err(StudyError::ForeignState.into());
         };
         for cells in reductions.parts.iter_mut().flat_map(|part| &mut part.cells) {
-            rest = cells.read(rest).ok_or(ScanError::ForeignState)?;
+            rest = cells.read(rest).ok_or(StudyError::ForeignState)?;
         }
         if rest.is_empty() {
             Ok(reductions)
         } else {
-            Err(ScanError::ForeignState)
+            Err(StudyError::ForeignState.into())
         }
     }
 

@@ -6,15 +6,13 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use thiserror::Error;
-
 use super::Plan;
 use super::chunk::{self, Chunk, Counts, Kernels, POINTS_PER_CHUNK};
 use super::collected::Collected;
-use super::error::ScanError;
 use super::reduce::{Reduced, Reductions};
 use super::sink::Sink;
 use super::threads::{self, Threads};
+use crate::error::{Error, StudyError};
 
 /// The most numbers that are collected in memory, 32 GiB of them: more than a workstation has to spare.
 pub const MOST_COLLECTED: u64 = 1 << 32;
@@ -59,11 +57,11 @@ pub struct Report {
 }
 
 /// Why a run ended early.
-#[derive(Clone, Debug, PartialEq, Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Stopped<E> {
     /// The scan itself.
     #[error(transparent)]
-    Scan(#[from] ScanError),
+    Scan(#[from] Error),
     /// The sink.
     #[error("{0}")]
     Sink(E),
@@ -84,7 +82,7 @@ impl Plan {
     ///
     /// # Errors
     /// Where it was cancelled, or threads cannot be started.
-    pub fn reduce(&self, control: &Control<'_>) -> Result<Report, ScanError> {
+    pub fn reduce(&self, control: &Control<'_>) -> Result<Report, Error> {
         self.reduce_from(0, Counts::none(self.quantities.len()), &[], control, |_| {})
     }
 
@@ -101,7 +99,7 @@ impl Plan {
         state: &[u8],
         control: &Control<'_>,
         mut save: impl FnMut(&Saved<'_>),
-    ) -> Result<Report, ScanError> {
+    ) -> Result<Report, Error> {
         let mut reductions = if chunk == 0 {
             Reductions::of_all(self)
         } else {
@@ -121,7 +119,7 @@ impl Plan {
                 counts: &counts,
                 reductions: &reductions,
             });
-            Ok::<_, ScanError>(())
+            Ok::<_, Error>(())
         });
         match outcome {
             Ok(()) => Ok(Report {
@@ -183,7 +181,7 @@ impl Plan {
     ///
     /// # Errors
     /// Where there are more than [`MOST_COLLECTED`] numbers; it was cancelled; or threads cannot be started.
-    pub fn collect(&self, control: &Control<'_>) -> Result<Collected, ScanError> {
+    pub fn collect(&self, control: &Control<'_>) -> Result<Collected, Error> {
         let mut collected = Collected::new();
         self.collect_into(&mut collected, control)?;
         Ok(collected)
@@ -197,12 +195,16 @@ impl Plan {
         &self,
         collected: &mut Collected,
         control: &Control<'_>,
-    ) -> Result<(), ScanError> {
+    ) -> Result<(), Error> {
         let quantities = self.quantities.len() as u64;
         let numbers = self.space.len().saturating_mul(quantities);
         let length = usize::try_from(self.space.len());
         let (true, Ok(length)) = (numbers <= MOST_COLLECTED, length) else {
-            return Err(ScanError::TooMuchToCollect { numbers });
+            return Err(StudyError::TooMuchToCollect {
+                numbers,
+                most: MOST_COLLECTED,
+            }
+            .into());
         };
         let mut results = std::mem::take(&mut collected.results);
         collected.counts = Counts::none(0);
@@ -217,7 +219,7 @@ impl Plan {
     }
 
     /// Fills columns with the quantities at all points, chunk by chunk on all threads.
-    fn fill(&self, results: &mut [Vec<f64>], control: &Control<'_>) -> Result<Counts, ScanError> {
+    fn fill(&self, results: &mut [Vec<f64>], control: &Control<'_>) -> Result<Counts, Error> {
         let chunks = usize::try_from(self.chunk_count()).unwrap_or_default();
         let mut parts: Vec<Vec<&mut [f64]>> = Vec::new();
         parts.resize_with(chunks, Vec::new);
@@ -243,7 +245,7 @@ impl Plan {
             if let Some(progress) = control.progress {
                 progress(counts.points);
             }
-            Ok::<_, ScanError>(())
+            Ok::<_, Error>(())
         });
         match outcome {
             Ok(()) => Ok(counts),
@@ -274,10 +276,13 @@ impl Plan {
             match work(number, &stop).filter(|_| !stop()) {
                 Some(outcome) => deliver(number, outcome).map_err(Stopped::Sink)?,
                 None => {
-                    return Err(Stopped::Scan(ScanError::Cancelled {
-                        chunks: number,
-                        all: self.chunk_count(),
-                    }));
+                    return Err(Stopped::Scan(
+                        StudyError::Cancelled {
+                            chunks: number,
+                            all: self.chunk_count(),
+                        }
+                        .into(),
+                    ));
                 }
             }
         }
@@ -331,10 +336,13 @@ impl Plan {
                         resume_unwind(panic)
                     }
                     _ => {
-                        return Err(Stopped::Scan(ScanError::Cancelled {
-                            chunks: number,
-                            all: self.chunk_count(),
-                        }));
+                        return Err(Stopped::Scan(
+                            StudyError::Cancelled {
+                                chunks: number,
+                                all: self.chunk_count(),
+                            }
+                            .into(),
+                        ));
                     }
                 };
                 if let Err(error) = deliver(number, outcome) {

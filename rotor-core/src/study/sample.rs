@@ -3,7 +3,7 @@
 //! A sample is a function of its index, its dimension and the seed alone. Any part of a sample of
 //! $10^9$ can be drawn anywhere, without the part before it.
 
-use super::error::ScanError;
+use crate::error::{Error, StudyError};
 
 mod normal;
 mod sobol;
@@ -47,14 +47,15 @@ impl Distribution {
     }
 
     /// Refuses parameters that the distribution does not have.
-    pub(super) fn check(&self, input: &'static str) -> Result<(), ScanError> {
+    pub(super) fn check(&self, input: &'static str) -> Result<(), Error> {
         let refuse = |parameter, value, allowed| {
-            Err(ScanError::Distribution {
+            Err(StudyError::Distribution {
                 input,
                 parameter,
                 value,
                 allowed,
-            })
+            }
+            .into())
         };
         match *self {
             Self::Uniform { low, .. } if !low.is_finite() => {

@@ -3,7 +3,7 @@
 use crate::input::Variable;
 
 use super::axis::Axis;
-use super::error::ScanError;
+use crate::error::{Error, StudyError};
 
 /// The most points of a scan, $2^{53}$: up to there every count is exact as a double too.
 pub const MOST_POINTS: u64 = 1 << 53;
@@ -22,17 +22,17 @@ impl Space {
     /// # Errors
     /// Where there is no axis, two vary the same variable, or there are more points than
     /// [`MOST_POINTS`].
-    pub fn new(axes: Vec<Axis>) -> Result<Self, ScanError> {
+    pub fn new(axes: Vec<Axis>) -> Result<Self, Error> {
         for (index, axis) in axes.iter().enumerate() {
             let before = axes.get(..index).unwrap_or_default();
             let is_varied = |variable: &Variable| before.iter().any(|axis| axis.varies(*variable));
             if let Some(twice) = axis.variables().find(is_varied) {
                 let input = twice.name();
-                return Err(ScanError::VariedTwice { input });
+                return Err(StudyError::VariedTwice { input }.into());
             }
         }
         if axes.is_empty() {
-            return Err(ScanError::NoAxis);
+            return Err(StudyError::NoAxis.into());
         }
         let length = axes
             .iter()
@@ -40,8 +40,9 @@ impl Space {
             .filter(|&length| length <= MOST_POINTS)
             .ok_or_else(|| {
                 let lengths: Vec<_> = axes.iter().map(|axis| axis.len().to_string()).collect();
-                ScanError::TooManyPoints {
+                StudyError::TooManyPoints {
                     lengths: lengths.join(" × "),
+                    most: MOST_POINTS,
                 }
             })?;
         Ok(Self { axes, length })
@@ -106,10 +107,11 @@ mod tests {
         let twice = Space::new(vec![axis("crack.angle", 2), axis("crack.angle", 2)]);
         assert_eq!(
             twice.unwrap_err(),
-            ScanError::VariedTwice {
+            StudyError::VariedTwice {
                 input: "crack_angle"
             }
+            .into()
         );
-        assert_eq!(Space::new(vec![]).unwrap_err(), ScanError::NoAxis);
+        assert_eq!(Space::new(vec![]).unwrap_err(), StudyError::NoAxis.into());
     }
 }

@@ -18,9 +18,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-use thiserror::Error;
-
 use crate::batch::kernel::{Kernel, POINTS_PER_BLOCK};
+use crate::error::{Error, StudyError};
 use crate::input::{NumericInput, RotorParameters};
 use crate::quantity::Quantity;
 
@@ -36,41 +35,6 @@ pub struct Column<'a> {
     pub values: &'a [f64],
 }
 
-/// Columns that are no table.
-#[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[non_exhaustive]
-pub enum TableError {
-    /// There is no column to tell how many rotors there are.
-    #[error("no input has a column; at least one must have")]
-    NoColumn,
-    /// A column is longer or shorter than the first.
-    #[error(
-        "the column of {input} has {length} rows; it must have {expected}, as that of {first} has"
-    )]
-    Length {
-        /// Its input.
-        input: &'static str,
-        /// Its length.
-        length: usize,
-        /// The input of the first column.
-        first: &'static str,
-        /// The length of that.
-        expected: usize,
-    },
-    /// A quantity that is at a speed: a table has none.
-    #[error("{quantity} is at a speed, and a table of rotors has none")]
-    NoSpeed {
-        /// The quantity.
-        quantity: &'static str,
-    },
-    /// An input has two columns.
-    #[error("{input} has two columns; an input has one at most")]
-    Twice {
-        /// The input.
-        input: &'static str,
-    },
-}
-
 /// Evaluates quantities of the rotors whose inputs are `base` but for those that have a column: for each quantity a
 /// column of its own, which has none in the rows whose rotor has no such quantity or that are no rotor.
 /// [`evaluate`](crate::study::evaluate) says why.
@@ -81,11 +45,11 @@ pub fn evaluate(
     base: &RotorParameters,
     columns: &[Column<'_>],
     quantities: &[Quantity],
-) -> Result<Collected, TableError> {
+) -> Result<Collected, Error> {
     let length = check(columns)?;
     if let Some(quantity) = quantities.iter().find(|quantity| quantity.needs_speed()) {
         let quantity = quantity.name();
-        return Err(TableError::NoSpeed { quantity });
+        return Err(StudyError::NoSpeedInTable { quantity }.into());
     }
     let mut results = vec![vec![f64::NAN; length]; quantities.len()];
     let mut counts = Counts::none(quantities.len());
@@ -111,24 +75,25 @@ pub fn evaluate(
 }
 
 /// How many rows there are.
-fn check(columns: &[Column<'_>]) -> Result<usize, TableError> {
-    let first = columns.first().ok_or(TableError::NoColumn)?;
+fn check(columns: &[Column<'_>]) -> Result<usize, Error> {
+    let first = columns.first().ok_or(StudyError::NoColumn)?;
     let expected = first.values.len();
     for (place, column) in columns.iter().enumerate() {
         let (input, length) = (column.input.name, column.values.len());
         if length != expected {
-            return Err(TableError::Length {
+            return Err(StudyError::ColumnLengths {
                 input,
                 length,
                 first: first.input.name,
                 expected,
-            });
+            }
+            .into());
         }
         if columns[..place]
             .iter()
             .any(|other| other.input == column.input)
         {
-            return Err(TableError::Twice { input });
+            return Err(StudyError::TwoColumns { input }.into());
         }
     }
     Ok(expected)

@@ -12,7 +12,7 @@ mod on_all_cores {
     use rayon::prelude::*;
     use rayon::{Scope, ThreadPool, ThreadPoolBuilder};
 
-    use crate::study::ScanError;
+    use crate::error::{Error, StudyError};
 
     /// Threads of a scan's own.
     pub(in crate::study) struct Threads(ThreadPool);
@@ -22,11 +22,12 @@ mod on_all_cores {
         ///
         /// # Errors
         /// Where the system gives none.
-        pub(in crate::study) fn new(count: Option<usize>) -> Result<Self, ScanError> {
+        pub(in crate::study) fn new(count: Option<usize>) -> Result<Self, Error> {
             let pool = ThreadPoolBuilder::new().num_threads(count.unwrap_or(0));
-            pool.build().map(Self).map_err(|error| ScanError::Threads {
+            let pool = pool.build().map_err(|error| StudyError::Threads {
                 reason: error.to_string(),
-            })
+            })?;
+            Ok(Self(pool))
         }
 
         /// How many there are.
@@ -60,7 +61,7 @@ mod on_all_cores {
 mod on_the_calling_thread {
     use std::ops::Range;
 
-    use crate::study::ScanError;
+    use crate::error::Error;
 
     /// The calling thread.
     pub(in crate::study) struct Threads;
@@ -73,7 +74,7 @@ mod on_the_calling_thread {
         ///
         /// # Errors
         /// None: the thread is there.
-        pub(in crate::study) const fn new(_count: Option<usize>) -> Result<Self, ScanError> {
+        pub(in crate::study) const fn new(_count: Option<usize>) -> Result<Self, Error> {
             Ok(Self)
         }
 

@@ -2,7 +2,7 @@
 
 use rotor_core::equations::{self, Coefficients};
 use rotor_core::jeffcott::exact::whirl_frequencies;
-use rotor_core::jeffcott::region::{self, RegionKind};
+use rotor_core::jeffcott::region::{Region, RegionKind};
 use rotor_core::jeffcott::rotor::Rotor;
 use rotor_plot::{Annotation, Axis, Curve, Dash, Figure, Plot};
 
@@ -22,7 +22,8 @@ pub(super) fn figure(rotor: &Rotor) -> Figure {
         p.disk_asymmetry = 0.0;
     });
     let (curves, annotations, fastest) = symmetric.map_or((Vec::new(), Vec::new(), FASTEST), |c| {
-        let starts = RegionKind::ALL.map(|kind| region::start(kind, &c).ok());
+        let starts =
+            RegionKind::ALL.map(|kind| Region::of(kind, &c).map(|region| region.start()).ok());
         let shown = starts.into_iter().flatten().map(|start| 1.25 * start);
         let fastest = shown
             .filter(|&speed| speed <= FURTHEST)

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use rayon::prelude::*;
 use rotor_core::equations::Coefficients;
-use rotor_core::jeffcott::region::{self, RegionKind};
+use rotor_core::jeffcott::region::{Region, RegionKind};
 use rotor_core::jeffcott::rotor::Rotor;
 use rotor_core::model::confirm_ends;
 use rotor_plot::{Axis, Curve, Dash, Figure, Mark, Panel, Plot, Symbol};
@@ -139,13 +139,12 @@ fn three_ways(kind: RegionKind, c: &Coefficients) -> Vec<Curve> {
         ..*c
     };
     let exact = |angle: f64| {
-        region::exact_ends(kind, &at(angle))
-            .ok()
-            .map(|ends| ends.width())
+        let region = Region::of(kind, &at(angle)).ok()?;
+        region.exact_ends().ok().map(|ends| ends.width())
     };
     let hill = |angle: f64| {
         let c = at(angle);
-        let exact = region::exact_ends(kind, &c).ok()?;
+        let exact = Region::of(kind, &c).ok()?.exact_ends().ok()?;
         confirm_ends(&c, exact).ok().map(|hill| hill.width())
     };
     let floquet: Vec<_> = angles

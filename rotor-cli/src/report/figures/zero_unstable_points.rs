@@ -1,6 +1,6 @@
 //! Figs. 8 and 9: the disk asymmetry that closes a region, over the crack's depth.
 
-use rotor_core::jeffcott::region::{self, RegionKind};
+use rotor_core::jeffcott::region::{Region, RegionKind};
 use rotor_core::jeffcott::rotor::Rotor;
 use rotor_core::jeffcott::zup::{ZeroUnstablePoint, zup_depth};
 use rotor_plot::{Annotation, Dash, Figure, Plot};
@@ -77,7 +77,8 @@ fn closing(rotor: &Rotor, kind: RegionKind, position: f64, depth: f64) -> Option
         p.crack_position_ratio = position;
         p.crack_depth_ratio = depth;
     })?;
-    region::zup_asymmetry(kind, &c)
+    Region::of(kind, &c)
+        .and_then(|region| region.zup_asymmetry())
         .ok()
         .filter(|asymmetry| asymmetry.abs() < 1.0)
 }

@@ -16,7 +16,8 @@ use super::number::Jet;
 use super::quartic::squared_offsets;
 use super::whirl::whirl_frequencies;
 use crate::equations::Coefficients;
-use crate::error::{StabilityError, require};
+use crate::error::{Error, RegionError, require};
+use crate::region::RegionKind;
 
 /// Cap on Newton steps from one predicted point; 3 to 5 are common.
 const NEWTON_STEPS: usize = 20;
@@ -39,25 +40,26 @@ const ROUNDING: f64 = 1e-11;
 ///
 /// # Errors
 ///
-/// [`StabilityError::OutOfRange`] for a `start` that is not positive and finite or coefficients that are not finite;
-/// [`StabilityError::StiffnessNotPositive`] where δ ≤ γ²; [`StabilityError::NoRegion`] where β ≥ 2, or where
+/// [`SystemError::OutOfRange`] for a `start` that is not positive and finite or coefficients that are not finite;
+/// [`RegionError::StiffnessNotPositive`] where δ ≤ γ²; [`RegionError::NoExactEnds`] where β ≥ 2, or where
 /// no such pair of ends exists near the start because the region has merged with others.
-pub fn combination_ends(c: &Coefficients, start: f64) -> Result<Ends, StabilityError> {
+pub fn combination_ends(c: &Coefficients, start: f64) -> Result<Ends, Error> {
     require("start", start, start > 0.0, "a positive number")?;
     let [_, partner, ..] = whirl_frequencies(c, start)?;
     if c.beta >= 2.0 {
         let reason = "no whirl frequencies add up to twice the speed, as beta >= 2";
-        return Err(StabilityError::NoRegion {
-            kind: "combination",
+        return Err(RegionError::NoExactEnds {
+            kind: RegionKind::Combination,
             reason,
-        });
+        }
+        .into());
     }
     let start = Point {
         x: partner,
         y: start,
     };
-    let [first, second] = by_coupling(c, start).or_else(|| by_search(c, start.y)).ok_or(StabilityError::NoRegion {
-        kind: "combination",
+    let [first, second] = by_coupling(c, start).or_else(|| by_search(c, start.y)).ok_or(RegionError::NoExactEnds {
+        kind: RegionKind::Combination,
         reason: "no roots of the quartic meet near the start, or they do so only together with another region",
     })?;
     Ok(Ends {

@@ -13,7 +13,7 @@ use nalgebra::{Matrix4, SymmetricEigen, Vector4};
 use super::check_coefficients;
 use super::frequency_equation::sine_and_cosine_of_double;
 use crate::equations::{self, Coefficients};
-use crate::error::StabilityError;
+use crate::error::{Error, RegionError, SystemError};
 
 /// The two ends of an instability region, in units of the reference speed; `lower <= upper`, equal at an exact zero
 /// unstable point.
@@ -43,9 +43,9 @@ const SWEEPS: usize = 200;
 ///
 /// # Errors
 ///
-/// [`StabilityError::OutOfRange`] for coefficients that are not finite, [`StabilityError::StiffnessNotPositive`] for a
-/// shaft that gives way at rest, [`StabilityError::NoConvergence`].
-pub fn simple_region_ends(c: &Coefficients) -> Result<Vec<f64>, StabilityError> {
+/// [`SystemError::OutOfRange`] for coefficients that are not finite, [`RegionError::StiffnessNotPositive`] for a
+/// shaft that gives way at rest, [`SystemError::NoConvergence`].
+pub fn simple_region_ends(c: &Coefficients) -> Result<Vec<f64>, Error> {
     check_coefficients(c)?;
     let inverse_squares = inverse_square_speeds(c)?;
     // Infinite at an inverse square of zero; not a number below.
@@ -54,7 +54,7 @@ pub fn simple_region_ends(c: &Coefficients) -> Result<Vec<f64>, StabilityError> 
 }
 
 /// The eigenvalues 1/Ω² of the pencil (J, K), descending.
-fn inverse_square_speeds(c: &Coefficients) -> Result<Vector4<f64>, StabilityError> {
+fn inverse_square_speeds(c: &Coefficients) -> Result<Vector4<f64>, Error> {
     let [sine, cosine] = sine_and_cosine_of_double(c.crack_angle);
     let k = |sign: f64, epsilon: f64| 1.0 + sign * cosine * epsilon;
     let (e1, e12, e2) = (
@@ -80,7 +80,7 @@ fn inverse_square_speeds(c: &Coefficients) -> Result<Vector4<f64>, StabilityErro
     let inverse = stiffness
         .cholesky()
         .and_then(|cholesky| cholesky.l().try_inverse());
-    let inverse = inverse.ok_or(StabilityError::StiffnessNotPositive {
+    let inverse = inverse.ok_or(RegionError::StiffnessNotPositive {
         reserve: equations::coupled_stiffness(c),
         epsilon_1: c.epsilon_1,
         epsilon_12: c.epsilon_12,
@@ -88,7 +88,7 @@ fn inverse_square_speeds(c: &Coefficients) -> Result<Vector4<f64>, StabilityErro
     })?;
     let pencil = inverse * inertia * inverse.transpose();
     let eigen = SymmetricEigen::try_new(pencil, f64::EPSILON, SWEEPS).ok_or(
-        StabilityError::NoConvergence {
+        SystemError::NoConvergence {
             what: "the ends of the simple regions",
             iterations: SWEEPS,
         },

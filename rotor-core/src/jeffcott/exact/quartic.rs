@@ -17,7 +17,7 @@ use super::check_coefficients;
 use super::double_double::DoubleDouble;
 use super::frequency_equation::quartic_coefficients;
 use crate::equations::{self, Coefficients};
-use crate::error::{StabilityError, require};
+use crate::error::{Error, SystemError, require};
 
 /// Cap on the QR sweeps for the 4 × 4 companion matrix; 10 are common.
 const SWEEPS: usize = 200;
@@ -34,8 +34,8 @@ const ROUNDING: f64 = 1.0 / (1_u128 << 96) as f64;
 ///
 /// # Errors
 ///
-/// [`StabilityError::OutOfRange`] for a speed that is not positive and finite, a coefficient that is not finite or
-/// |Δ_d| ≥ 1; [`StabilityError::NoConvergence`] if the eigenvalue iteration stops at its cap.
+/// [`SystemError::OutOfRange`] for a speed that is not positive and finite, a coefficient that is not finite or
+/// |Δ_d| ≥ 1; [`SystemError::NoConvergence`] if the eigenvalue iteration stops at its cap.
 ///
 /// ```
 /// use rotor_core::{equations::Coefficients, jeffcott::exact::growth_rate};
@@ -45,9 +45,9 @@ const ROUNDING: f64 = 1.0 / (1_u128 << 96) as f64;
 /// };
 /// assert_eq!(growth_rate(&rotor, 0.93)?, 0.0);
 /// assert!(growth_rate(&rotor, 0.94)? > 0.001); // inside the SIR from 0.93036 to 0.94205
-/// # Ok::<(), rotor_core::error::StabilityError>(())
+/// # Ok::<(), rotor_core::error::Error>(())
 /// ```
-pub fn growth_rate(c: &Coefficients, speed: f64) -> Result<f64, StabilityError> {
+pub fn growth_rate(c: &Coefficients, speed: f64) -> Result<f64, Error> {
     let roots = squared_offsets(c, speed)?;
     let symmetric =
         c.epsilon_1 == 0.0 && c.epsilon_12 == 0.0 && c.epsilon_2 == 0.0 && c.disk_asymmetry == 0.0;
@@ -79,7 +79,7 @@ fn growth_of(root: &Complex<f64>) -> f64 {
 /// # Errors
 ///
 /// As [`growth_rate`].
-pub fn squared_offsets(c: &Coefficients, speed: f64) -> Result<[Complex<f64>; 4], StabilityError> {
+pub fn squared_offsets(c: &Coefficients, speed: f64) -> Result<[Complex<f64>; 4], Error> {
     check_coefficients(c)?;
     require("speed", speed, speed > 0.0, "a positive number")?;
     let [c0, c1, c2, c3, leading] = quartic_coefficients(c, speed);
@@ -97,13 +97,13 @@ struct Factor {
 }
 
 /// The two factors of the monic quartic, each of two roots that are nearer to each other than to the rest.
-fn factors(monic: &[DoubleDouble; 4]) -> Result<[Factor; 2], StabilityError> {
+fn factors(monic: &[DoubleDouble; 4]) -> Result<[Factor; 2], Error> {
     let [first, second] = pairs(&companion_roots(&monic.map(DoubleDouble::rounded))?);
     Ok([polish(monic, first)?, polish(monic, second)?])
 }
 
 /// Eigenvalues of the companion matrix, scaled so that the largest root is about 1 and then balanced.
-fn companion_roots(monic: &[f64; 4]) -> Result<[Complex<f64>; 4], StabilityError> {
+fn companion_roots(monic: &[f64; 4]) -> Result<[Complex<f64>; 4], Error> {
     let [b0, b1, b2, b3] = *monic;
     let scale = b3
         .abs()
@@ -128,7 +128,7 @@ fn companion_roots(monic: &[f64; 4]) -> Result<[Complex<f64>; 4], StabilityError
     );
     balance_parlett_reinsch(&mut companion);
     let schur =
-        Schur::try_new(companion, f64::EPSILON, SWEEPS).ok_or(StabilityError::NoConvergence {
+        Schur::try_new(companion, f64::EPSILON, SWEEPS).ok_or(SystemError::NoConvergence {
             what: "the roots of the quartic",
             iterations: SWEEPS,
         })?;
@@ -177,10 +177,7 @@ fn pairs(roots: &[Complex<f64>; 4]) -> [[Complex<f64>; 2]; 2] {
 
 /// The factor with the two roots, by Bairstow's iteration: Newton's on the remainder of the division by it, in 32 digits,
 /// with the slopes in 16.
-fn polish(
-    monic: &[DoubleDouble; 4],
-    [first, second]: [Complex<f64>; 2],
-) -> Result<Factor, StabilityError> {
+fn polish(monic: &[DoubleDouble; 4], [first, second]: [Complex<f64>; 2]) -> Result<Factor, Error> {
     let [c0, c1, c2, c3] = *monic;
     let mut factor = Factor {
         a: DoubleDouble::from(-(first + second).re),
@@ -217,10 +214,11 @@ fn polish(
     }
     // The first step already is not a number at an exact multiple root, where the start is all there is.
     if last.is_finite() && last > POLISHED {
-        return Err(StabilityError::NoConvergence {
+        return Err(SystemError::NoConvergence {
             what: "the roots of the quartic",
             iterations: POLISHING,
-        });
+        }
+        .into());
     }
     Ok(factor)
 }

@@ -2,7 +2,7 @@
 
 use super::check_coefficients;
 use crate::equations::{self, Coefficients};
-use crate::error::{StabilityError, require};
+use crate::error::{Error, RegionError, SystemError, require};
 
 /// Cap on steps, each of which at least halves the step before it or the bracket; 10 are common.
 const STEPS: usize = 200;
@@ -17,19 +17,20 @@ const FAST: f64 = 1e9;
 ///
 /// # Errors
 ///
-/// [`StabilityError::OutOfRange`] for a number that is not finite, [`StabilityError::StiffnessNotPositive`] where
+/// [`SystemError::OutOfRange`] for a number that is not finite, [`RegionError::StiffnessNotPositive`] where
 /// δ ≤ γ² (two of the brackets are lost).
-pub fn whirl_frequencies(c: &Coefficients, speed: f64) -> Result<[f64; 4], StabilityError> {
+pub fn whirl_frequencies(c: &Coefficients, speed: f64) -> Result<[f64; 4], Error> {
     check_coefficients(c)?;
     require("speed", speed, true, "a finite number")?;
     let reserve = equations::coupled_stiffness(c);
     if reserve <= 0.0 {
-        return Err(StabilityError::StiffnessNotPositive {
+        return Err(RegionError::StiffnessNotPositive {
             reserve,
             epsilon_1: 0.0,
             epsilon_12: 0.0,
             epsilon_2: 0.0,
-        });
+        }
+        .into());
     }
     let gyroscopic = require(
         "beta times the speed",
@@ -83,12 +84,7 @@ fn uncoupled(delta: f64, gyroscopic: f64) -> [f64; 4] {
 }
 
 /// The root between `negative`, where f_n ≤ 0, and `positive`, where f_n > 0.
-fn root(
-    c: &Coefficients,
-    speed: f64,
-    mut negative: f64,
-    mut positive: f64,
-) -> Result<f64, StabilityError> {
+fn root(c: &Coefficients, speed: f64, mut negative: f64, mut positive: f64) -> Result<f64, Error> {
     let mut omega = 0.5 * (negative + positive);
     let mut last = (positive - negative).abs();
     for _ in 0..STEPS {
@@ -112,8 +108,9 @@ fn root(
         }
         omega = next;
     }
-    Err(StabilityError::NoConvergence {
+    Err(SystemError::NoConvergence {
         what: "a whirl frequency",
         iterations: STEPS,
-    })
+    }
+    .into())
 }

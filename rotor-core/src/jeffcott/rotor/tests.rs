@@ -1,7 +1,8 @@
 use super::*;
+use crate::input::NumericInput;
 use crate::input::{Bound, CrackEdge};
 
-fn changed(change: impl FnOnce(&mut RotorParameters)) -> Result<Rotor, InvalidRotor> {
+fn changed(change: impl FnOnce(&mut RotorParameters)) -> Result<Rotor, InputError> {
     Rotor::default().with(change)
 }
 
@@ -25,7 +26,7 @@ fn every_input_refuses_what_its_row_does_not_allow() {
         }
         for value in wrong {
             let error = changed(|p| (input.set)(p, value)).expect_err(input.name);
-            let InvalidRotor::OutOfRange { input: named, .. } = error else {
+            let InputError::OutOfRange { input: named, .. } = error else {
                 panic!("{error}")
             };
             assert_eq!(named.name, input.name);

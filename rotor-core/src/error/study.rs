@@ -1,15 +1,13 @@
-//! Why a scan cannot be made, or stopped.
+//! Scans, reductions and tables that are not possible, or stopped early.
 
 use thiserror::Error;
 
 use crate::input::Variable;
 
-use super::space::MOST_POINTS;
-
-/// Why an axis, a scan or a reduction cannot be, or why a scan ended early.
-#[derive(Clone, Debug, PartialEq, Error)]
+/// Why an axis, a scan, a reduction or a table of rotors is not possible, or why a scan ended early.
+#[derive(Clone, Debug, Error, PartialEq)]
 #[non_exhaustive]
-pub enum ScanError {
+pub enum StudyError {
     /// An axis without a value: the whole scan would have no point.
     #[error("the axis of {input} has no value; it must have at least one")]
     EmptyAxis {
@@ -102,12 +100,14 @@ pub enum ScanError {
     },
     /// More points than can be counted.
     #[error(
-        "the axes have {lengths} values, together more than {MOST_POINTS} points (2^53), the most \
+        "the axes have {lengths} values, together more than {most} points (2^53), the most \
          that a scan can have"
     )]
     TooManyPoints {
         /// The lengths of the axes, `401 × 721`.
         lengths: String,
+        /// The most.
+        most: u64,
     },
     /// A reduction over what is not varied.
     #[error("the reduction {reduction} is over {input}, which is not varied; varied are {varied}")]
@@ -133,11 +133,13 @@ pub enum ScanError {
     /// More numbers than are collected in memory.
     #[error(
         "{numbers} numbers are more than can be collected in memory; the most is {} (2^32). Write them to a file, or reduce them",
-        super::run::MOST_COLLECTED
+        .most
     )]
     TooMuchToCollect {
         /// Points times quantities.
         numbers: u64,
+        /// The most.
+        most: u64,
     },
     /// A histogram without bins or with ends that are none.
     #[error(
@@ -176,5 +178,34 @@ pub enum ScanError {
         chunks: u64,
         /// All chunks.
         all: u64,
+    },
+    /// There is no column to tell how many rotors there are.
+    #[error("no input has a column; at least one must have")]
+    NoColumn,
+    /// A column of a table is longer or shorter than the first.
+    #[error(
+        "the column of {input} has {length} rows; it must have {expected}, as that of {first} has"
+    )]
+    ColumnLengths {
+        /// Its input.
+        input: &'static str,
+        /// Its length.
+        length: usize,
+        /// The input of the first column.
+        first: &'static str,
+        /// The length of that.
+        expected: usize,
+    },
+    /// A quantity that is at a speed: a table of rotors has none.
+    #[error("{quantity} is at a speed, and a table of rotors has none")]
+    NoSpeedInTable {
+        /// The quantity.
+        quantity: &'static str,
+    },
+    /// An input has two columns.
+    #[error("{input} has two columns; an input has one at most")]
+    TwoColumns {
+        /// The input.
+        input: &'static str,
     },
 }
