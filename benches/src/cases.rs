@@ -67,7 +67,7 @@ pub struct Case {
 /// How often a block is repeated in one run, so that a run can be timed.
 pub const REPEATS: usize = 32;
 
-/// The same for what runs on threads, so that their start is not what is timed.
+/// How often a block is repeated on threads in one run, so that their start is not what is timed.
 const REPEATS_ON_THREADS: usize = 512;
 
 /// All cases.

@@ -24,7 +24,7 @@ pub struct Column {
 }
 
 impl Column {
-    /// So many zeros, from this line of a page on.
+    /// Creates a column of zeros, from this line of a page on.
     pub fn zeros(length: usize, line: usize) -> Self {
         let memory = vec![0.0; length + 2 * PAGE / size_of::<f64>()];
         let place = memory.as_ptr().addr();

@@ -39,7 +39,7 @@ impl Cell {
         Self::Number(significant(value, digits))
     }
 
-    /// Nothing to say here.
+    /// Creates a cell that stays empty.
     pub(crate) fn empty() -> Self {
         Self::Text(String::new())
     }

@@ -74,15 +74,15 @@ pub enum Quantity {
     GrowthRate,
 }
 
-/// What a quantity is of.
+/// What a quantity describes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Subject {
-    /// Of the rotor: a column of the chain of equations.
+    /// The rotor itself: a column of the chain of equations.
     Plain,
-    /// Of an instability region.
+    /// An instability region, and what is measured of it.
     Region(RegionKind, Measure),
-    /// Of the rotor at a speed: the exact growth rate.
+    /// The rotor at a speed: the exact growth rate.
     AtSpeed,
 }
 

@@ -74,7 +74,7 @@ pub(crate) struct Axes<'a> {
     content: Content<'a>,
     x: Scale,
     y: Scale,
-    /// Of a map that has a value anywhere.
+    /// The scale of the colours, of a map with at least one value.
     colours: Option<Scale>,
     /// Space on the left and on the right of the frame in pixels.
     pub(crate) beside: (f64, f64),

@@ -25,7 +25,7 @@ pub(crate) fn compare(root: &Path) -> Outcome {
     timed(root, &[])
 }
 
-/// The same in small, to see whether it runs; writes nothing outside the build folder.
+/// Times small inputs, to see whether everything runs; writes nothing outside the build folder.
 pub(crate) fn quick(root: &Path) -> Outcome {
     timed(root, &["--quick"])
 }

@@ -92,7 +92,7 @@ fn case(name: &str) -> Result<&'static Case, String> {
 /// The coefficients of a rotor but the angle of its crack.
 const COEFFICIENTS: usize = 7;
 
-/// So many columns of a file, of little-endian doubles.
+/// Reads a number of columns from a file of little-endian doubles.
 fn read(file: &Path, columns: usize) -> std::io::Result<Vec<Vec<f64>>> {
     let bytes = fs::read(file)?;
     let (numbers, _) = bytes.as_chunks::<{ size_of::<f64>() }>();

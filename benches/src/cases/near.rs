@@ -40,7 +40,7 @@ pub fn near_columns(rotors: &[Vec<f64>], angles: &[f64]) -> Result<[Vec<f64>; 2]
     Ok([sir, cir])
 }
 
-/// The same as a grid: with tables of the angles.
+/// Computes these rotors as a grid, with tables of the angles.
 ///
 /// # Errors
 /// The columns are not those of rotors.

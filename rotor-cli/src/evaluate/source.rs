@@ -23,7 +23,7 @@ use crate::files::Format;
 /// Rows of a piece. Pieces are evaluated side by side, on all cores.
 const ROWS_PER_PIECE: usize = 1 << 14;
 
-/// The same of a file of columns, which takes less memory and has a group of columns for each piece.
+/// Rows of a piece of a Parquet or Arrow file: a row takes less memory there, and each piece becomes a group of columns.
 const ROWS_PER_BATCH: usize = 1 << 16;
 
 /// Batches of a file of columns.

@@ -24,7 +24,7 @@ impl Progress {
         Self(Some(bar))
     }
 
-    /// So many points are done.
+    /// Shows how many points are done.
     pub(super) fn at(&self, points: u64) {
         if let Some(bar) = &self.0 {
             bar.set_position(points);

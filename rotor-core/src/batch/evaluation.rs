@@ -20,8 +20,8 @@ pub(super) struct Evaluation<'a> {
     /// The points whose polar inertia a rigid body may have.
     pub(super) inertia: &'a Trust,
     pub(super) speed: &'a mut List,
-    /// Any column of the points.
-    pub(super) any: &'a [f64],
+    /// A column of the points, whichever: it tells how many they are.
+    pub(super) counted: &'a [f64],
 }
 
 impl Evaluation<'_> {
@@ -103,7 +103,7 @@ impl Evaluation<'_> {
         self.points.take(columns);
         let varies = self.varies(columns) || !self.speed.is_same();
         let coefficients: [&[f64]; 8] = self.points.of_block.columns(columns);
-        let speed = self.speed.spread(self.any.len());
+        let speed = self.speed.spread(self.counted.len());
         let along: [&[f64]; 9] =
             std::array::from_fn(|place| coefficients.get(place).copied().unwrap_or(speed));
         if varies {
@@ -174,7 +174,7 @@ impl Evaluation<'_> {
             .into_iter()
             .zip(numbers)
             .try_for_each(|(place, number)| match place {
-                Some(_) => to.same::<G>(place, requirement, number, self.any),
+                Some(_) => to.same::<G>(place, requirement, number, self.counted),
                 None => Some(()),
             })
     }

@@ -64,18 +64,19 @@ pub(crate) struct Kernel<'a> {
     plan: Plan,
     digits: Digits,
     variables: Vec<Variable>,
-    /// Those that are inputs of the rotor, and the same as a set.
+    /// The inputs of the rotor among the variables.
     inputs: Vec<&'static NumericInput>,
+    /// These inputs as a set, a bit for each.
     varied: u64,
-    /// All others.
+    /// The inputs that do not vary along a block.
     fixed: Vec<&'static NumericInput>,
     row: Row,
     /// What is the same at all points of a row, whatever the block.
     of_row: Numbers,
-    /// The blocks that were entered last, and the one that it is about.
+    /// The blocks that were entered last, and the place of the current one.
     blocks: Vec<Block>,
     current: usize,
-    /// How often one was entered.
+    /// How often a block was entered.
     entered: u64,
     /// The last row, and whether its inputs are plain.
     last: Option<(RotorParameters, bool)>,
@@ -354,7 +355,7 @@ impl<'a> Kernel<'a> {
             points,
             inertia: &block.inertia,
             speed: &mut block.speed,
-            any: block.values.first()?,
+            counted: block.values.first()?,
         };
         Some((evaluation, &self.plan, &block.plain))
     }

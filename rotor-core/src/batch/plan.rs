@@ -41,21 +41,21 @@ pub(super) struct Plan {
 pub(super) struct Varied {
     /// Inputs that vary along a block.
     pub(super) block: u64,
-    /// From one row to the next; all inputs, where that is not known.
+    /// Inputs that change from one row to the next; all of them where that is not known.
     pub(super) next: u64,
 }
 
 /// Which digits results have to have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Digits {
-    /// Any digits: widths are computed in stages, where the last digits may differ from those of a rotor alone.
+    /// Those of the stages in which widths are computed along an axis: the last ones may differ from those of a rotor alone.
     OfStages,
     /// The digits that each rotor has alone.
     OfOneRotor,
 }
 
 impl Plan {
-    /// The plan for quantities where this varies.
+    /// Plans how to compute quantities where these inputs vary.
     pub(super) fn of(quantities: &[Quantity], varied: Varied, digits: Digits) -> Self {
         let regions = quantities.iter().filter_map(|quantity| quantity.region());
         let limits = regions.filter_map(RegionKind::inertia_ratio_limit);

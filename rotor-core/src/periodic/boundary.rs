@@ -111,7 +111,7 @@ struct Rates<'a> {
 }
 
 impl<'a> Rates<'a> {
-    /// Of the region with this sample inside.
+    /// Looks at the growth rates about a region, with a sample inside it.
     fn about(growth: Growth<'a>, inside: Sample) -> Self {
         let of_middle = GROWS_OF_MIDDLE * inside.1.sqrt();
         Self {

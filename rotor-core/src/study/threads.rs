@@ -18,7 +18,7 @@ mod on_all_cores {
     pub(in crate::study) struct Threads(ThreadPool);
 
     impl Threads {
-        /// So many threads, or one for each core.
+        /// Starts a number of threads, or one for each core.
         ///
         /// # Errors
         /// Where the system gives none.

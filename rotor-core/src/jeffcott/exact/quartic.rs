@@ -159,7 +159,7 @@ fn pairs(roots: &[Complex<f64>; 4]) -> [[Complex<f64>; 2]; 2] {
     ];
     let nearest = |split: &[[Complex<f64>; 2]; 2]| {
         let [first, second] = split.map(|[a, b]| distance(&a, &b));
-        // Of two forbidden pairs, or of one, neither is near.
+        // A split with a forbidden pair is never the nearest.
         if first.max(second).is_finite() {
             first.min(second)
         } else {
