@@ -10,6 +10,7 @@ pub mod expression;
 mod layout;
 pub mod literal;
 pub mod namer;
+mod polynomial;
 mod roots;
 pub mod scalar;
 pub mod staged;

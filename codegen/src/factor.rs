@@ -2,17 +2,15 @@
 //!
 //! First identities that hold between expressions are found by their fingerprints (their values at random points of a
 //! prime field): equal expressions become one ([`identities`]), and a homogeneous function is rebuilt from its partials
-//! by Euler's relation ([`homogeneous`]). Then the graph is lowered to a [`circuit::Circuit`], in which sums and
+//! by Euler's relation ([`homogeneous`]). Then the graph is lowered to a [`Circuit`], in which sums and
 //! products are taken apart into shared ones by several orders of extraction ([`extract`]), and the cheapest is kept of
 //! those that lose no digits ([`rounding`]).
 
 pub mod bounded;
-pub mod circuit;
 pub mod coefficients;
 mod common_factors;
 pub mod constants;
 pub mod extract;
-pub mod fingerprint;
 pub mod homogeneous;
 pub mod identities;
 pub mod lower;
@@ -24,84 +22,13 @@ pub mod repeats;
 pub mod rounding;
 pub mod written;
 
-use crate::factor::circuit::Circuit;
+use crate::circuit::Circuit;
 use crate::factor::extract::{ORDERS, Step};
 use crate::factor::rounding::{Fault, Reference, Written};
-use crate::gather::Definitions;
 use crate::graph::{ExprId, Graph, SymbolId};
+use crate::outputs::{Held, Outputs};
 use crate::parallel::{both, on_all_cores};
 use crate::{differentiate, rewrite};
-
-/// The numbers that one generated function gives.
-#[derive(Clone, Debug, Default)]
-pub struct Outputs {
-    /// The values.
-    pub values: Vec<ExprId>,
-    /// The symbols that the gradient is by.
-    pub by: Vec<SymbolId>,
-    /// For each value its partials by those symbols.
-    pub gradients: Vec<Vec<ExprId>>,
-    /// For each value the upper triangle of its second partials, by rows.
-    pub hessians: Vec<Vec<ExprId>>,
-}
-
-impl Outputs {
-    /// All numbers in order.
-    pub fn all(&self) -> Vec<ExprId> {
-        let gradients = self.gradients.iter().flatten();
-        let hessians = self.hessians.iter().flatten();
-        self.values
-            .iter()
-            .chain(gradients)
-            .chain(hessians)
-            .copied()
-            .collect()
-    }
-
-    /// The same with other numbers, in order.
-    pub fn with_all(&self, all: &[ExprId]) -> Self {
-        let mut all = all.iter().copied();
-        let mut take =
-            |old: &Vec<ExprId>| -> Vec<ExprId> { all.by_ref().take(old.len()).collect() };
-        Self {
-            values: take(&self.values),
-            by: self.by.clone(),
-            gradients: self.gradients.iter().map(&mut take).collect(),
-            hessians: self.hessians.iter().map(&mut take).collect(),
-        }
-    }
-}
-
-/// The same numbers over named products that are held as symbols.
-#[derive(Clone, Debug)]
-pub struct Held {
-    /// The graph, whose first symbols are those of the other form.
-    pub graph: Graph,
-    /// The numbers.
-    pub outputs: Outputs,
-    /// What each held symbol is, over the symbols before it.
-    pub definitions: Definitions,
-}
-
-impl Held {
-    /// The numbers, then the products.
-    fn all(&self) -> Vec<ExprId> {
-        let products = self.definitions.iter().map(|(_, product)| *product);
-        self.outputs.all().into_iter().chain(products).collect()
-    }
-
-    /// The same, rewritten.
-    pub fn rewritten(&self) -> Self {
-        let (graph, all) = rewrite::rewrite(&self.graph, &self.all());
-        let (outputs, products) = all.split_at(all.len() - self.definitions.len());
-        let symbols = self.definitions.iter().map(|(symbol, _)| *symbol);
-        Self {
-            graph,
-            outputs: self.outputs.with_all(outputs),
-            definitions: symbols.zip(products.iter().copied()).collect(),
-        }
-    }
-}
 
 /// The size of a form of held products over that without, from which on it is never the cheapest: where an author has given
 /// every product a name, all of these are derived by each other.
@@ -312,7 +239,7 @@ fn extracted(lowered: &[Circuit], orders: &[&[Step]]) -> Vec<Circuit> {
 
 /// The circuits of held products.
 fn held_forms(held: &Held) -> Vec<Circuit> {
-    let held = identities::merge_held(held).rewritten();
+    let held = rewrite::rewrite_held(&identities::merge_held(held));
     let symbols: Vec<SymbolId> = held.definitions.iter().map(|(symbol, _)| *symbol).collect();
     let all = held.all();
     let mut forms = lowered_forms(held.graph, all, &held.outputs);

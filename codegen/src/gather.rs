@@ -6,9 +6,9 @@
 
 use std::collections::BTreeMap;
 
-use crate::factor::fingerprint::vanishing;
-use crate::factor::{Held, Outputs};
-use crate::graph::{Domain, ExprId, Graph, Node, Rational, Role, SymbolId, whole};
+use crate::fingerprint::vanishing;
+use crate::graph::{Domain, ExprId, Graph, Node, Rational, Role, whole};
+use crate::outputs::{Definitions, Held, Outputs};
 
 /// A formula's numbers in the graph that is worked on.
 #[derive(Debug)]
@@ -126,9 +126,6 @@ pub fn hold(written: &Graph, roots: &[ExprId]) -> Option<Held> {
         definitions,
     })
 }
-
-/// The named products of a formula in the order of their making: the symbol of each, and what it is.
-pub type Definitions = Vec<(SymbolId, ExprId)>;
 
 /// The number that stands for a named one: a symbol, or a multiple of one, for a product that divides by nothing that may
 /// be 0.

@@ -9,7 +9,7 @@ pub use prepared::Prepared;
 
 use crate::approximate::piecewise::PiecewisePolynomial;
 use crate::approximate::quadrature::integrate;
-use crate::factor::circuit::Circuit;
+use crate::circuit::Circuit;
 use crate::graph::{ExprId, Function, Graph, NamedConstant, Node, Rational, SymbolId, Table};
 
 /// A kind of number that a graph can be evaluated in: `f64`, or more digits in tests.

@@ -11,6 +11,7 @@ pub mod rules;
 mod signs;
 
 use crate::graph::{ExprId, Function, Graph};
+use crate::outputs::Held;
 
 /// A rewriting rule.
 pub struct Rule {
@@ -46,6 +47,18 @@ pub fn rewrite(graph: &Graph, roots: &[ExprId]) -> Form {
         simplify(target, image)
     });
     roots::share(target, roots)
+}
+
+/// Rewrites numbers over held products, and these products.
+pub fn rewrite_held(held: &Held) -> Held {
+    let (graph, all) = rewrite(&held.graph, &held.all());
+    let (outputs, products) = all.split_at(all.len() - held.definitions.len());
+    let symbols = held.definitions.iter().map(|(symbol, _)| *symbol);
+    Held {
+        graph,
+        outputs: held.outputs.with_all(outputs),
+        definitions: symbols.zip(products.iter().copied()).collect(),
+    }
 }
 
 /// Rebuilds the roots with what `change` makes of every node, which is rewritten already; None where it makes nothing of any.

@@ -14,12 +14,13 @@ pub mod terms;
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use crate::circuit::{Circuit, Net, Operation};
 use crate::cost::Cost;
-use crate::factor::circuit::{Circuit, Net, Operation};
 use crate::factor::extract::{self, ORDERS};
 use crate::factor::rounding::{Reference, Written};
-use crate::factor::{self, Outputs, lower};
+use crate::factor::{self, lower};
 use crate::graph::{ExprId, Graph, SymbolId};
+use crate::outputs::Outputs;
 use crate::rewrite::{self, Form};
 pub use split::{Staged, split};
 

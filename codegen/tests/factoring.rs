@@ -8,15 +8,16 @@
 
 mod support;
 
+use codegen::circuit::{Circuit, Net, Operation};
 use codegen::cost::Cost;
 use codegen::differentiate;
 use codegen::emit::scalar::Form;
-use codegen::factor::circuit::{Circuit, Net, Operation};
 use codegen::factor::coefficients;
 use codegen::factor::extract::{Step, extract};
 use codegen::gather::gather;
+use codegen::graph::decimal;
 use codegen::graph::{Function, Graph, Node, Rational, ratio, whole};
-use codegen::parse::literal::{constant, decimal};
+use codegen::parse::literal::constant;
 
 /// A circuit with symbols x0, x1, …
 fn circuit(symbols: usize) -> (Circuit, Vec<Net>) {

@@ -9,7 +9,7 @@ use quote::{format_ident, quote};
 use super::literal;
 use super::namer::{LONGEST, Namer, method, pack_table_function, table_function};
 use super::roots;
-use crate::factor::circuit::{Circuit, Net, Operation};
+use crate::circuit::{Circuit, Net, Operation};
 use crate::graph::{Function, Graph, Rational, SymbolId};
 
 /// The width of a statement without its indentation, so that it stays on a line.

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeSet;
 
+use crate::circuit::{Circuit, Net, Operation};
 use crate::cost::Cost;
-use crate::factor::circuit::{Circuit, Net, Operation};
 use crate::graph::Function;
 
 /// Cycles for which roots of a pack of 8 occupy the divider, on Zen 4; on Intel's machines they are as many or more.

@@ -4,8 +4,8 @@ use super::Formula;
 use crate::differentiate::{self, Gradient};
 use crate::emit::scalar::Form;
 use crate::factor::rounding::Written;
-use crate::factor::{Held, Outputs};
 use crate::graph::{ExprId, Graph, SymbolId};
+use crate::outputs::{Held, Outputs};
 use crate::parse::body::identifier;
 use crate::rewrite;
 
@@ -24,7 +24,7 @@ pub fn derive_held(formula: &Formula, by: &[SymbolId]) -> Option<Held> {
         held.outputs.gradients.push(gradient);
     }
     name_partials(&mut held.graph, &held.outputs);
-    Some(held.rewritten())
+    Some(rewrite::rewrite_held(&held))
 }
 
 /// Suggests names for the first partials.

@@ -2,7 +2,7 @@
 
 use smallvec::smallvec;
 
-use super::circuit::{Circuit, Net, Operation};
+use crate::circuit::{Circuit, Net, Operation};
 use crate::graph::Rational;
 
 /// Puts the sizes of coefficients into the products that they multiply. Signs stay: they are free.

@@ -5,9 +5,9 @@ use std::collections::{BTreeMap, BinaryHeap};
 
 use rustc_hash::FxHashMap;
 
-use super::circuit::{Circuit, Net, Operation};
 use super::extract::sorted;
 use crate::budget::Budget;
+use crate::circuit::{Circuit, Net, Operation};
 use crate::graph::Rational;
 
 /// A term of a sum, taken apart.

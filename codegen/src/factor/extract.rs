@@ -6,9 +6,9 @@ use std::collections::BTreeMap;
 
 use smallvec::smallvec;
 
-use super::circuit::{Circuit, Net, Operation, Terms};
 use super::{coefficients, common_factors, multiples, pairs, quotients, repeats};
 use crate::budget::Budget;
+use crate::circuit::{Circuit, Net, Operation, Terms};
 use crate::graph::Rational;
 
 /// One kind of extraction.

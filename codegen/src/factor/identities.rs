@@ -2,9 +2,9 @@
 
 use std::collections::HashMap;
 
-use super::Held;
-use super::fingerprint::{Fingerprint, Residue, is_zero, node_at, without_sign};
+use crate::fingerprint::{Fingerprint, Residue, is_zero, node_at, without_sign};
 use crate::graph::{ExprId, Graph, Node, Rational, whole};
+use crate::outputs::Held;
 
 /// Sums of more terms than this are not searched for equal parts: the search tries all subsets.
 const MOST_TERMS: usize = 10;

@@ -13,8 +13,8 @@ use std::ops::Deref;
 
 use rustc_hash::FxHashMap;
 
-use super::circuit::{Circuit, Net, Operation};
 use crate::budget::Budget;
+use crate::circuit::{Circuit, Net, Operation};
 
 /// What stands at a member of an operation: the power of a factor, or the coefficient of a term.
 pub(super) trait Share: Clone {

@@ -13,8 +13,8 @@ use std::fmt;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use super::bounded::Bounded;
-use super::circuit::{Circuit, Operation};
 use super::probes;
+use crate::circuit::{Circuit, Operation};
 use crate::graph::{ExprId, Function, Graph, Symbol, SymbolId};
 use crate::interpret::double_double::DoubleDouble;
 use crate::interpret::{Number, Prepared};

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use smallvec::SmallVec;
 
 use super::{Number, raised};
-use crate::factor::circuit::{Circuit, Operation};
+use crate::circuit::{Circuit, Operation};
 use crate::graph::{ExprId, Function, Graph, Node, Rational, Table};
 
 /// Operations in order, operands before their users, over one kind of number.

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::rules::{operand_of, parts, scaled};
 use super::{applied, product, simplify};
-use crate::factor::fingerprint::{Residue, near};
+use crate::fingerprint::{Residue, near};
 use crate::graph::{ExprId, Factors, Function, Graph, Node, Rational, ratio};
 
 /// √(a/b) is √(ab)/|b|: one division for it and for what else divides by b.
