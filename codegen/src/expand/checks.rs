@@ -7,8 +7,9 @@ use super::Expansion;
 use super::formula::holds_integral;
 use crate::cost::Cost;
 use crate::emit::scalar::Form;
+use crate::emit::staged;
 use crate::graph::{ExprId, Graph};
-use crate::parse::attributes::Request;
+use crate::parse::attributes::{Request, StageRequest};
 use crate::parse::module::Function;
 use crate::parse::value::Value;
 
@@ -40,6 +41,24 @@ impl Expansion {
             return None;
         }
         Some(())
+    }
+
+    /// Whether a stage has the module name of one before it, which is reported.
+    pub(super) fn is_stage_repeated(&mut self, stages: &[StageRequest], place: usize) -> bool {
+        let name = |stage: &StageRequest| staged::module_name(&stage.symbols());
+        let mut names = stages.iter().map(name);
+        let Some(own) = names.nth(place) else {
+            return false;
+        };
+        let is_repeated = stages[..place].iter().any(|stage| name(stage) == own);
+        if is_repeated {
+            self.diagnostics.error_with_hint(
+                stages[place].span,
+                format!("a second stage whose module is `{own}`"),
+                "leave one of them, or name its parameters in another order",
+            );
+        }
+        is_repeated
     }
 
     /// Reports a form that takes more operations than its budget allows.

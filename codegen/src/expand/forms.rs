@@ -77,7 +77,10 @@ impl Expansion {
             ));
         }
         let mut staged = Vec::new();
-        for stage in &request.stages {
+        for (place, stage) in request.stages.iter().enumerate() {
+            if self.is_stage_repeated(&request.stages, place) {
+                continue;
+            }
             let (item, weights) = self.staged_item(function, stage);
             items.push(item);
             staged.push(weights);
@@ -93,7 +96,7 @@ impl Expansion {
         }
     }
 
-    /// Generates one form of a function. None where the function could not be read or a name is unknown, which is
+    /// Generates one form of a function. `None` if the function could not be read or a name is unknown, which is
     /// reported.
     pub fn generate(
         &mut self,
@@ -133,7 +136,7 @@ impl Expansion {
         })
     }
 
-    /// The symbols to derive by; all that the function's source names where the list is empty. None where one is no number
+    /// The symbols to derive by; all that the function's source names where the list is empty. `None` if one is no number
     /// of the function, which is reported with the module.
     pub(super) fn symbols(&mut self, function: &Function, by: &[Target]) -> Option<Vec<SymbolId>> {
         let name = function.name();
