@@ -31,7 +31,7 @@ pub type Terms = SmallVec<[(Net, Rational); 2]>;
 /// The factors of a product.
 pub type Factors = SmallVec<[(Net, u32); 4]>;
 
-/// What a function is of.
+/// The operands of a function.
 pub type Operands = SmallVec<[Net; 4]>;
 
 /// One operation.
@@ -61,7 +61,7 @@ pub enum Operation {
 }
 
 impl Operation {
-    /// The same operation on other operands.
+    /// Replaces the operands of the operation.
     fn with_operands(self, image: impl Fn(&Net) -> Net) -> Self {
         match self {
             Self::Number(_) | Self::Symbol(_) => self,
@@ -102,7 +102,7 @@ fn hash_of(operation: &Operation) -> u64 {
 #[derive(Clone, Debug, Default)]
 pub struct Circuit {
     operations: Vec<Operation>,
-    /// Where the last operation of a hash is, if it was not replaced since.
+    /// For each hash the last operation with it; the operation may have been replaced since.
     index: FxHashMap<u64, Net>,
     names: FxHashMap<Net, Arc<str>>,
     /// Whether nothing was added or replaced since it was last tidied.
@@ -238,7 +238,7 @@ impl Circuit {
         self.closed_sum(opened)
     }
 
-    /// The same with multiples among the operands as they are.
+    /// A sum in its simplest form whose operands stay as they are.
     fn closed_sum(&mut self, terms: Terms) -> Net {
         let is_zero = |net: Net| self.as_number(net).is_some_and(Rational::is_zero);
         let mut terms = terms;
@@ -255,7 +255,7 @@ impl Circuit {
         }
     }
 
-    /// A multiple as it stands.
+    /// A multiple of an operand, which is not opened even if it is a multiple itself.
     pub fn multiple(&mut self, (operand, coefficient): (Net, Rational)) -> Net {
         if coefficient.is_one() {
             return operand;
@@ -263,10 +263,10 @@ impl Circuit {
         self.push(Operation::Sum(smallvec![(operand, coefficient)]))
     }
 
-    /// A sum of two terms as it stands.
+    /// A sum of two terms, neither of which is opened.
     pub fn sum_of_two(&mut self, first: (Net, Rational), second: (Net, Rational)) -> Net {
         let mut terms: Terms = smallvec![first, second];
-        // The same operand twice is one with the sum of both coefficients, which is as exact; but x − x is not 0 where x is
+        // Two equal operands become one with the sum of both coefficients, which is as exact; but x − x is not 0 where x is
         // infinite.
         if terms[0].0 != terms[1].0 || terms[0].1 != -&terms[1].1 {
             rational::collect(&mut terms);
@@ -277,14 +277,14 @@ impl Circuit {
         }
     }
 
-    /// A product of two factors as it stands.
+    /// A product of two factors, neither of which is opened.
     pub fn product_of_two(&mut self, first: Net, second: Net) -> Net {
         let mut factors: Factors = smallvec![(first, 1), (second, 1)];
         rational::collect(&mut factors);
         self.push(Operation::Product(factors))
     }
 
-    /// The same operations without those that no result needs.
+    /// Removes the operations that no result needs.
     pub fn without_unused(self) -> Self {
         self.swept()
     }

@@ -15,7 +15,7 @@ pub mod staged;
 
 use proc_macro2::TokenStream;
 
-/// Items as text, a statement to a line. None where the tokens are no Rust items.
+/// Items as text, a statement to a line. `None` if the tokens are no Rust items.
 pub fn format(items: TokenStream) -> Option<String> {
     syn::parse2(items)
         .ok()

@@ -30,16 +30,16 @@ use crate::outputs::{Held, Outputs};
 use crate::parallel::{both, on_all_cores};
 use crate::{differentiate, rewrite};
 
-/// The size of a form of held products over that without, from which on it is never the cheapest: where an author has given
-/// every product a name, all of these are derived by each other.
+/// How many times larger than the form without held products the one with them may be. A larger one is never the cheapest:
+/// it arises where an author named every product, and each is derived by all others.
 const MOST_OF_HELD: usize = 2;
 
-/// The circuit that was found, and why it is the author's form where it is that.
+/// The circuit that was found, and the reason if it is the author's form.
 #[derive(Clone, Debug)]
 pub struct Found {
     /// The operations.
     pub circuit: Circuit,
-    /// What is wrong with the cheapest of other forms, where none of them is right.
+    /// What is wrong with the cheapest other form, if no other form is accurate enough.
     pub as_written: Option<Fault>,
 }
 
@@ -49,7 +49,7 @@ pub fn minimise(graph: &Graph, outputs: &Outputs, written: &Written) -> Found {
     minimise_with(graph, outputs, written, None)
 }
 
-/// The same with another form to choose from.
+/// Finds the circuit as [`minimise`] does, with a form over held products to choose from.
 pub fn minimise_with(
     graph: &Graph,
     outputs: &Outputs,
@@ -71,7 +71,7 @@ pub fn minimise_with(
     let size = graph.reachable(&all).len();
     let held = held.filter(|held| held.graph.reachable(&held.all()).len() <= MOST_OF_HELD * size);
     let mut held = held.map(held_forms).unwrap_or_default();
-    // What is as its author wrote it only where the other loses digits.
+    // A form without merged expressions is tried only where all merged forms lose digits.
     let gathered = std::iter::once_with(|| vec![rewrite::rewrite(graph, &all)]);
     let mut fault = None;
     for graphs in std::iter::once(merged).chain(gathered) {
@@ -260,7 +260,7 @@ fn unified(graph: &Graph, all: &[ExprId]) -> (Graph, Vec<ExprId>) {
 /// long to sort out, and for large formulas the reverse mode always comes out shorter.
 const SMALL: usize = 300;
 
-/// The same outputs with their gradients by the forward mode.
+/// Outputs with their gradients derived by the forward mode instead.
 fn forward(graph: &Graph, outputs: &Outputs) -> Option<(Graph, Vec<ExprId>)> {
     let all = outputs.all();
     let wanted = !outputs.gradients.is_empty() && outputs.hessians.is_empty();
@@ -306,7 +306,7 @@ fn lowered_forms(graph: Graph, roots: Vec<ExprId>, outputs: &Outputs) -> Vec<Cir
             .collect::<Vec<_>>()
     });
     let mut forms: Vec<Circuit> = Vec::new();
-    // What has constants that no number holds is of no use, and takes long to look through.
+    // A form with constants beyond the range of numbers is of no use, and takes long to look through.
     let useful = |circuit: &Circuit| circuit.longest_constant() <= LONGEST_CONSTANT;
     for form in lowered.into_iter().flatten().filter(useful) {
         if !forms.iter().any(|known| known.is_same(&form)) {
@@ -316,7 +316,7 @@ fn lowered_forms(graph: Graph, roots: Vec<ExprId>, outputs: &Outputs) -> Vec<Cir
     forms
 }
 
-/// Adds what the ways of rewriting make of a form that are no rules.
+/// Adds the forms that arise from rewritings which do not always pay and so are no rules.
 fn add_rewritten(forms: &mut Vec<rewrite::Form>) {
     rewrite::go_on(forms, rewrite::roots::without_quotients);
     rewrite::go_on(forms, rewrite::common::take_out);

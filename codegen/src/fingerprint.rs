@@ -278,7 +278,7 @@ pub fn node_at(
     node_with(graph, id, point, &value, inverse)
 }
 
-/// The same from the inverses of its operands too.
+/// The value of a node at a point, from the values of its operands and their inverses.
 fn node_with(
     graph: &Graph,
     id: ExprId,

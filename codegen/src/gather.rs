@@ -102,7 +102,7 @@ fn enter(graph: &Graph, multiples: &mut Multiples, operand: ExprId, q: &Rational
     *left += &q;
 }
 
-/// Gathers the numbers of a formula with its named products as symbols of their own; None where there is none.
+/// Gathers the numbers of a formula with its named products as symbols of their own; `None` if there is none.
 ///
 /// A product of products is one product: an author's `bending * c.c44` becomes a product of all that both are made of. Held,
 /// each named product stays whole, so that a derivative goes from there to each of the many inputs at once, past the few

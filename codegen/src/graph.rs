@@ -463,9 +463,9 @@ impl Graph {
                     ..
                 } if symbols.contains(variable) => depends[lower.index()] || depends[upper.index()],
                 _ => {
-                    let mut any = false;
-                    self.each_operand(id, |operand| any |= depends[operand.index()]);
-                    any
+                    let mut operand_depends = false;
+                    self.each_operand(id, |operand| operand_depends |= depends[operand.index()]);
+                    operand_depends
                 }
             };
         }

@@ -167,7 +167,7 @@ pub(crate) fn node_value<T: Number>(
     })
 }
 
-/// The values of the roots, for values of the symbols in the order in which the graph has them. None where an
+/// The values of the roots, for values of the symbols in the order in which the graph has them. `None` if an
 /// integral is among them or a symbol has no value.
 pub fn evaluate<T: Number>(graph: &Graph, roots: &[ExprId], symbols: &[T]) -> Option<Vec<T>> {
     let mut values: Vec<Option<T>> = vec![None; graph.len()];

@@ -28,7 +28,7 @@ impl Outputs {
             .collect()
     }
 
-    /// The same with other numbers, in order.
+    /// Outputs of this shape with other numbers, taken in order.
     pub fn with_all(&self, all: &[ExprId]) -> Self {
         let mut all = all.iter().copied();
         let mut take =
@@ -45,7 +45,7 @@ impl Outputs {
 /// The named products of a formula in the order of their making: the symbol of each, and what it is.
 pub type Definitions = Vec<(SymbolId, ExprId)>;
 
-/// The same numbers over named products that are held as symbols.
+/// A function's numbers over named products that are held as symbols.
 #[derive(Clone, Debug)]
 pub struct Held {
     /// The graph, whose first symbols are those of the other form.

@@ -73,7 +73,7 @@ pub fn stages(circuit: &Circuit, inner: &BTreeSet<SymbolId>) -> Vec<Stage> {
     stages
 }
 
-/// What the operations of one stage cost.
+/// Adds up the cost of the operations of one stage.
 fn cost_of(circuit: &Circuit, inner: &BTreeSet<SymbolId>, stage: Stage) -> Cost {
     let stages = stages(circuit, inner);
     let of_stage = circuit.nets().filter(|net| stages[net.index()] == stage);

@@ -13,8 +13,8 @@ impl Circuit {
         }
     }
 
-    /// The same with the inputs first, in their author's order, and so in sums too: b − a − z with nearly equal a and b and
-    /// a small z is not to become b − z − a.
+    /// Tidies the circuit with the inputs first, in their author's order. Sums keep that order too: b − a − z with nearly
+    /// equal a and b and a small z is not to become b − z − a.
     pub fn tidy_by_inputs(&mut self) {
         let symbols = self.live_symbols();
         self.rebuild(&symbols);
@@ -72,7 +72,8 @@ impl Circuit {
         self.tidy = true;
     }
 
-    /// The same operations in the same order without those that no result needs: what was opened into its only user.
+    /// Removes the operations that no result needs, such as those that were opened into their only user; the others keep
+    /// their order.
     pub(super) fn swept(self) -> Self {
         let uses = self.live_uses_in_order();
         if uses.iter().all(|uses| *uses > 0) {
@@ -82,10 +83,10 @@ impl Circuit {
         let mut images: Vec<Net> = Vec::with_capacity(self.operations.len());
         for (operation, uses) in self.operations.into_iter().zip(&uses) {
             let net = Net(swept.operations.len() as u32);
-            // Of one that is not needed it is never looked at: what is needed has no operand that is not.
+            // The image of an operation that is not needed is never used: what is needed has only operands that are needed.
             images.push(net);
             if *uses > 0 {
-                // No two become one: equal operations were one before.
+                // Equal operations were made one before, so that none is found here.
                 let operation = operation.with_operands(|operand| images[operand.index()]);
                 swept.index.insert(hash_of(&operation), net);
                 swept.operations.push(operation);
@@ -138,7 +139,7 @@ impl Circuit {
         uses
     }
 
-    /// The same of a circuit whose operands come before their users.
+    /// Counts the uses in one pass over a circuit whose operands come before their users.
     fn live_uses_in_order(&self) -> Vec<usize> {
         let mut uses = vec![0_usize; self.operations.len()];
         for output in &self.outputs {
@@ -160,8 +161,8 @@ impl Circuit {
                 let mut opened = Terms::new();
                 for (operand, coefficient) in terms {
                     match tidied.operation(image(operand)) {
-                        // A multiple that several sums share is an operation of its own, and its negative is free; a
-                        // multiple of it is no more than another multiple of what it is of.
+                        // A multiple that several sums share stays an operation, and its negative is free. A multiple
+                        // of a multiple is one multiple of the innermost operand.
                         Operation::Sum(inner)
                             if inner.len() == 1
                                 && (uses[operand.index()] == 1
@@ -178,7 +179,8 @@ impl Circuit {
                 let mut opened = Factors::new();
                 for (operand, power) in factors {
                     match tidied.operation(image(operand)) {
-                        // A product that only this one uses, and once, is no operation of its own; of its powers it is.
+                        // A product that is one factor of this one alone is opened into it; one that is raised to a
+                        // power stays an operation.
                         Operation::Product(inner) if uses[operand.index()] == 1 && *power == 1 => {
                             opened.extend(
                                 inner

@@ -20,7 +20,7 @@ pub struct Formula {
     pub value: Value,
     /// Its numbers.
     pub roots: Vec<ExprId>,
-    /// The same with named products held, where a gradient is asked for.
+    /// The result over named products that are held as symbols, where a gradient is asked for.
     pub held: Option<Held>,
 }
 
@@ -65,7 +65,7 @@ impl Formula {
 
     /// The input of that name, made where the formula does not depend on it.
     pub fn input(&mut self, name: &str) -> SymbolId {
-        // The same in both graphs: each is made with the symbols of the one as written.
+        // Both graphs give a new symbol the same handle: each is made with the symbols of the one as written.
         self.written.graph.symbol_named(name);
         self.graph.symbol_named(name)
     }

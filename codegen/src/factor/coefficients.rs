@@ -25,7 +25,7 @@ pub fn open(circuit: &mut Circuit) {
         let sum = circuit.sum(terms);
         let operation = match circuit.operation(sum) {
             Operation::Sum(terms) => Operation::Sum(terms.clone()),
-            // A lone positive multiple has become the product itself.
+            // A sum of one positive multiple has become that product.
             _ => Operation::Sum(smallvec![(sum, Rational::ONE)]),
         };
         circuit.replace(net, operation);

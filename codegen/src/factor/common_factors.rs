@@ -176,7 +176,7 @@ fn sum_of(circuit: &mut Circuit, terms: Vec<Term>) -> Term {
 
 /// The terms of a sum, with the factors that they have.
 struct Level {
-    /// In their order; None where a term was taken out.
+    /// In their order; `None` if a term was taken out.
     terms: Vec<Option<Term>>,
     /// For each factor its terms, and in how many that are left it costs a multiplication.
     factors: FxHashMap<Net, (Vec<usize>, usize)>,

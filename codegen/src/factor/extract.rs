@@ -16,7 +16,8 @@ use crate::graph::Rational;
 pub enum Step {
     /// `a·b + a·c` becomes `a·(b + c)`; of a polynomial, Horner's form.
     Factors,
-    /// The same with products that are needed elsewhere too: a polynomial and its derivative each in Horner's form.
+    /// Takes common factors also out of products that other operations use, so that a polynomial and its derivative each
+    /// come into Horner's form.
     SharedFactors,
     /// A product of two that several products share is computed once.
     Products,
@@ -54,7 +55,7 @@ pub fn extract(circuit: &mut Circuit, steps: &[Step]) {
     extract_within(circuit, steps, &mut Budget::default());
 }
 
-/// The same with a budget that counts the looks of all searches; each search has its own.
+/// Runs the steps as [`extract`] does, with a budget that counts the looks of all searches; each search has its own.
 pub fn extract_within(circuit: &mut Circuit, steps: &[Step], budget: &mut Budget) {
     for step in steps {
         match step {

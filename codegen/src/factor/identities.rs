@@ -20,7 +20,7 @@ pub fn merge(graph: &Graph, roots: &[ExprId]) -> (Graph, Vec<ExprId>) {
     (target, roots)
 }
 
-/// The same for a form with held products, which have the values of what they are.
+/// Merges equal expressions of a form with held products, each of which has the value of its definition.
 pub fn merge_held(held: &Held) -> Held {
     let source = &held.graph;
     let mut graph = Graph::with_symbols_of(source);

@@ -6,7 +6,7 @@ use num_traits::{One, Pow};
 use super::Rational;
 
 /// The exact value of decimal digits as `syn` gives them: `0.752`, `1e-3`, `2.0e11`; below 2.2e-308
-/// that of the nearest `f64`. None where the exponent is beyond that of any `f64`.
+/// that of the nearest `f64`. `None` if the exponent is beyond that of any `f64`.
 pub fn decimal(digits: &str) -> Option<Rational> {
     let (mantissa, exponent) = match digits.split_once(['e', 'E']) {
         Some((mantissa, exponent)) => (mantissa, exponent.parse::<i64>().ok()?),

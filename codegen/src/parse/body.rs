@@ -77,7 +77,7 @@ impl<'m> Reader<'m> {
         }
     }
 
-    /// The function's result over symbols named as its parameters. None where something was reported.
+    /// The function's result over symbols named as its parameters. `None` if something was reported.
     pub fn read(&mut self, function: &Function) -> Option<Value> {
         for number in numbers::known(self.module, function) {
             let in_a_struct = number.contains('.');

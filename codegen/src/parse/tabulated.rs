@@ -17,6 +17,6 @@ pub trait TableSource {
         approximation: &Approximation,
     ) -> Option<&Table>;
 
-    /// An empty source whose tables have a few digits only, for code of which nothing is kept.
+    /// An empty source whose tables have a few digits only, for code that is read and then dropped.
     fn sketched_apart(&self) -> Box<dyn TableSource>;
 }

@@ -14,9 +14,9 @@ use crate::diagnostics::{Diagnostics, nearest};
 pub struct Request {
     /// The value itself, as generated code.
     pub value: bool,
-    /// First partials by these, by every number the function uses where the list is empty.
+    /// First partials by these numbers, or by every number the function uses where the list is empty.
     pub gradient: Option<Vec<Target>>,
-    /// Second partials, likewise.
+    /// Second partials by these, by every number the function uses where the list is empty.
     pub hessian: Option<Vec<Target>>,
     /// Forms over slices, of the value and of the gradient where there is one.
     pub columns: bool,
