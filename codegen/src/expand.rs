@@ -24,6 +24,7 @@ use syn::{Item, ItemMod};
 
 use crate::chain::Member;
 use crate::diagnostics::Diagnostics;
+use crate::factor::passes::Passes;
 use crate::graph::{ExprId, Graph, Role, SymbolId};
 use crate::parse::attributes::root;
 use crate::parse::body::Reader;
@@ -85,6 +86,8 @@ pub(crate) fn nested_too_deep(tokens: &TokenStream) -> Option<Span> {
 pub struct Expansion {
     module: Module,
     tables: Tables,
+    /// The passes by which circuits are made.
+    passes: Passes,
     /// What was wrong.
     pub diagnostics: Diagnostics,
     /// The functions that were read; None for those that could not be.
@@ -136,6 +139,7 @@ impl Expansion {
         Self {
             module,
             tables: Tables::default(),
+            passes: Passes::ALL,
             diagnostics,
             formulas: BTreeMap::new(),
             named: BTreeMap::new(),
@@ -155,6 +159,12 @@ impl Expansion {
     /// the time; see [`Tables::sketched`].
     pub fn with_sketched_tables(mut self) -> Self {
         self.tables = Tables::sketched();
+        self
+    }
+
+    /// Has circuits made by these passes alone from here on, to measure what the others give.
+    pub fn with_passes(mut self, passes: Passes) -> Self {
+        self.passes = passes;
         self
     }
 

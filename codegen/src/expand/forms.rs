@@ -112,7 +112,7 @@ impl Expansion {
             .then(|| derive_held(formula, &by))
             .flatten();
         let written = derive_written(formula, form, &by);
-        let found = factor::minimise_with(&graph, &outputs, &written, held.as_ref());
+        let found = factor::minimise_with(&graph, &outputs, &written, held.as_ref(), self.passes);
         let circuit = found.circuit;
         self.use_tables(&graph, &circuit);
         let mut documentation = documentation(function, &graph, form, &by, circuit.cost());

@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 
 use smallvec::smallvec;
 
+use super::passes::{Pass, Passes};
 use super::{coefficients, common_factors, multiples, pairs, quotients, repeats};
 use crate::budget::Budget;
 use crate::circuit::{Circuit, Net, Operation, Terms};
@@ -52,12 +53,13 @@ pub const ORDERS: [&[Step]; 12] = {
 
 /// Runs the steps in order, then divides where an inverse turned out to be multiplied by once.
 pub fn extract(circuit: &mut Circuit, steps: &[Step]) {
-    extract_within(circuit, steps, &mut Budget::default());
+    extract_with(circuit, steps, Passes::ALL, &mut Budget::default());
 }
 
-/// Runs the steps as [`extract`] does, with a budget that counts the looks of all searches; each search has its own.
-pub fn extract_within(circuit: &mut Circuit, steps: &[Step], budget: &mut Budget) {
-    for step in steps {
+/// Runs the steps as [`extract`] does, by the given passes alone and with a budget that counts the looks of all searches;
+/// each search has its own.
+pub fn extract_with(circuit: &mut Circuit, steps: &[Step], passes: Passes, budget: &mut Budget) {
+    for step in steps.iter().filter(|step| passes.has(Pass::Step(**step))) {
         match step {
             Step::Factors => common_factors::take_out(circuit, false, budget),
             Step::SharedFactors => common_factors::take_out(circuit, true, budget),
@@ -69,16 +71,31 @@ pub fn extract_within(circuit: &mut Circuit, steps: &[Step], budget: &mut Budget
         }
         circuit.tidy();
     }
-    repeats::merge(circuit);
-    divide_by_lone_divisors(circuit);
-    multiples::share(circuit);
-    circuit.tidy();
-    // A multiple of an inverse that has become its only user.
-    divide_by_lone_divisors(circuit);
-    circuit.tidy();
-    quotients::share(circuit, budget);
-    circuit.tidy();
-    multiples::share(circuit);
+    let mut run = |pass: Pass, change: fn(&mut Circuit, &mut Budget)| {
+        if passes.has(pass) {
+            change(circuit, budget);
+        }
+    };
+    run(Pass::Repeats, |circuit, _| repeats::merge(circuit));
+    run(Pass::LoneDivisors, |circuit, _| {
+        divide_by_lone_divisors(circuit)
+    });
+    run(Pass::SharedMultiples, |circuit, _| {
+        multiples::share(circuit)
+    });
+    // A multiple of an inverse may have become its only user.
+    run(Pass::LoneDivisors, |circuit, _| {
+        circuit.tidy();
+        divide_by_lone_divisors(circuit);
+    });
+    run(Pass::Quotients, |circuit, budget| {
+        circuit.tidy();
+        quotients::share(circuit, budget);
+    });
+    run(Pass::SharedMultiples, |circuit, _| {
+        circuit.tidy();
+        multiples::share(circuit);
+    });
     circuit.tidy_by_inputs();
 }
 
