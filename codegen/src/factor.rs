@@ -93,7 +93,8 @@ pub fn minimise_with(
             match best_of(circuits, &reference, graph) {
                 Ok(circuit) => {
                     // The author's own operations may be the fewest.
-                    let is_cheaper = plain.cost().weight() < circuit.cost().weight();
+                    let is_cheaper = passes.has(Pass::Written)
+                        && plain.cost().weight() < circuit.cost().weight();
                     let is_plain = is_cheaper && reference.fault(graph, &plain).is_none();
                     return Found {
                         circuit: if is_plain { plain } else { circuit },

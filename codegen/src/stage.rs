@@ -130,9 +130,7 @@ pub fn minimise(
 /// The outputs in every form that may turn out to leave the fewest operations at the points.
 fn forms(graph: &Graph, roots: &[ExprId], inner: &BTreeSet<SymbolId>) -> Vec<Form> {
     let written = rewrite::rewrite(graph, roots);
-    let merged = factor::identities::merge(graph, roots);
-    let merged = rewrite::rewrite(&merged.0, &merged.1);
-    let mut forms = vec![written, merged];
+    let mut forms = vec![written];
     rewrite::go_on(&mut forms, rewrite::common::take_out);
     rewrite::go_on(&mut forms, rewrite::roots::join);
     let absorbed = forms

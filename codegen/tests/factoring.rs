@@ -275,6 +275,14 @@ fn divisions_are_shared() {
 }
 
 #[test]
+fn the_inverse_of_a_size_is_the_size_of_the_inverse() {
+    assert_eq!(
+        cost("(f64, f64, f64) { (x / a, y / a, x / a.abs()) }").div,
+        1
+    );
+}
+
+#[test]
 fn a_quotient_is_made_from_another_one() {
     let one = |cost: Cost| (cost.div, cost.mul);
     assert_eq!(one(cost("(f64, f64) { (x / a, x / (a * b)) }")), (2, 0));

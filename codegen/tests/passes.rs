@@ -20,7 +20,7 @@ const SMALL: &str = include_str!("formulas/passes.rs");
 type Row = (Pass, &'static str, &'static str, Form, [usize; 2]);
 
 /// What each pass gives.
-const GAINS: [Row; 20] = {
+const GAINS: [Row; 21] = {
     use Form::{Gradient, Value};
     [
         (Pass::Held, CHEMISTRY, "peng_robinson", Gradient, [105, 112]),
@@ -67,7 +67,7 @@ const GAINS: [Row; 20] = {
             CHEMISTRY,
             "peng_robinson",
             Gradient,
-            [105, 107],
+            [105, 106],
         ),
         (
             Pass::Step(Step::SharedFactors),
@@ -139,6 +139,7 @@ const GAINS: [Row; 20] = {
             Gradient,
             [60, 64],
         ),
+        (Pass::Written, SMALL, "size_and_cube", Value, [2, 4]),
     ]
 };
 

@@ -77,13 +77,10 @@ pub fn extract_with(circuit: &mut Circuit, steps: &[Step], passes: Passes, budge
         }
     };
     run(Pass::Repeats, |circuit, _| repeats::merge(circuit));
-    run(Pass::LoneDivisors, |circuit, _| {
-        divide_by_lone_divisors(circuit)
-    });
     run(Pass::SharedMultiples, |circuit, _| {
         multiples::share(circuit)
     });
-    // A multiple of an inverse may have become its only user.
+    // After multiples are shared: one of them may have become an inverse's only user.
     run(Pass::LoneDivisors, |circuit, _| {
         circuit.tidy();
         divide_by_lone_divisors(circuit);

@@ -15,7 +15,7 @@
 //! | [`Pass::JoinedRoots`] | `geometric_mean`, value | 12 | 22 |
 //! | [`Pass::Exponentials`] | `powers_of_exponential`, value | 31 | 63 |
 //! | [`Pass::Exponentials`] | `product_of_exponentials`, value | 21 | 41 |
-//! | [`Step::Factors`] | `peng_robinson`, gradient | 105 | 107 |
+//! | [`Step::Factors`] | `peng_robinson`, gradient | 105 | 106 |
 //! | [`Step::SharedFactors`] | `polynomial_and_slope`, value | 14 | 16 |
 //! | [`Step::Products`] | `lennard_jones`, gradient | 23 | 57 |
 //! | [`Step::Sums`] | `circumradius`, gradient | 60 | 64 |
@@ -26,6 +26,7 @@
 //! | [`Pass::LoneDivisors`] | `circumradius`, gradient | 60 | 65 |
 //! | [`Pass::SharedMultiples`] | `peng_robinson`, gradient | 105 | 107 |
 //! | [`Pass::Quotients`] | `circumradius`, gradient | 60 | 64 |
+//! | [`Pass::Written`] | `size_and_cube`, value | 2 | 4 |
 //!
 //! [`Pass::Held`] matters most where an author names many products: the gradient of the rotor's two widths by its
 //! dimensions takes 1852 with it and 2597 without.
@@ -61,6 +62,8 @@ pub enum Pass {
     SharedMultiples,
     /// a/(b·c) as (a/b)/c where a/b is computed.
     Quotients,
+    /// The author's own operations, where they are the fewest.
+    Written,
 }
 
 /// The passes that run: all of them, or all but one.

@@ -34,6 +34,12 @@ pub mod passes {
         x.exp() * y.exp()
     }
 
+    /// A cube and its size.
+    #[generate(value)]
+    pub fn size_and_cube(x: f64) -> (f64, f64) {
+        (x.powi(3).abs(), x.powi(3))
+    }
+
     /// A polynomial and its derivative.
     #[generate(value)]
     pub fn polynomial_and_slope(x: f64) -> (f64, f64) {
