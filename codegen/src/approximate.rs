@@ -5,12 +5,11 @@
 //!
 //! 1. [`quadrature`] evaluates an integral to a stated tolerance, or says why it cannot;
 //! 2. [`piecewise`] fits polynomials to a function, and fails where the tolerance is not met;
-//! 3. [`PiecewisePolynomial::emit`](piecewise::PiecewisePolynomial::emit) writes the fit as Rust.
+//! 3. `emit` writes the fit as Rust.
 //!
 //! Nothing here knows where a function comes from: integrands and functions are closures.
 
 mod chebyshev;
-mod emit;
 mod piece;
 pub mod piecewise;
 pub mod quadrature;

@@ -127,7 +127,7 @@ pub struct Chain {
 const MOST_INPUTS: usize = 64;
 
 impl Chain {
-    /// The chain of these formulas. None where there is none, which is reported.
+    /// The chain of these formulas. `None` if there is none, which is reported.
     pub fn of(members: &[Member], diagnostics: &mut Diagnostics) -> Option<Self> {
         let mut building = Building::of(members);
         let inputs = building.columns.len();

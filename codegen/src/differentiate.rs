@@ -35,7 +35,7 @@ pub fn gradient(graph: &mut Graph, function: ExprId, by: &[SymbolId]) -> Vec<Exp
 const LEAST_LOOKS: usize = 1 << 11;
 const LOOKS_PER_NODE: usize = 4;
 
-/// The same with a budget that counts the factors that are passed on.
+/// Derives as [`gradient`] does, with a budget that counts the factors that are passed on.
 pub fn gradient_within(
     graph: &mut Graph,
     function: ExprId,
@@ -46,8 +46,8 @@ pub fn gradient_within(
         .unwrap_or_else(|| gradient_forward(graph, function, by))
 }
 
-/// The same over held products: a sweep down to their symbols, then from the last of them to what each is made of. What
-/// the users of a product pass on to it is summed before it goes on to the many factors.
+/// The first partials of a function over held products: a sweep goes down to their symbols, then from the last product to
+/// the factors of each. What the users of a product pass on to it is summed before it goes on to its many factors.
 pub fn gradient_held(
     graph: &mut Graph,
     function: ExprId,
@@ -111,8 +111,8 @@ fn shares(
     shares
 }
 
-/// The same in the forward mode: from the symbols up to the function. It is written over other parts than the reverse mode's:
-/// over the derivatives of what the function is made of, which several functions of one formula may share.
+/// The first partials of a function in the forward mode, from the symbols up to the function. They are made of the
+/// derivatives of the function's parts, which several functions of one formula may share.
 pub fn gradient_forward(graph: &mut Graph, function: ExprId, by: &[SymbolId]) -> Vec<ExprId> {
     let order = graph.reachable(&[function]);
     let [zero, one] = [graph.integer(0), graph.one()];

@@ -2,8 +2,8 @@
 
 use std::fmt::Write;
 
+use crate::circuit::{Circuit, Net, Operation};
 use crate::emit::namer::table_function;
-use crate::factor::circuit::{Circuit, Net, Operation};
 use crate::graph::{Function, Graph, Rational};
 
 /// The circuit as a directed graph: a box for each input, constant, operation, tabulated function and result, an arrow

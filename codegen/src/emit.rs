@@ -1,24 +1,23 @@
 //! Circuits to Rust.
 //!
 //! [`literal`] and [`namer`] alone decide how numbers and temporaries are written; [`expression`] puts an operation into
-//! tokens, [`scalar`] and [`columns`] put a function around them; `roots` shares roots between divider and multipliers;
-//! `layout` breaks the lines of their text.
+//! tokens, [`scalar`] and [`columns`] put a function around them; `roots` shares roots between divider and multipliers.
 
 pub mod chain;
 pub mod columns;
 pub mod expression;
-mod layout;
 pub mod literal;
 pub mod namer;
+mod polynomial;
 mod roots;
 pub mod scalar;
 pub mod staged;
 
 use proc_macro2::TokenStream;
 
-/// Formats items as rustfmt does. None where the tokens are no Rust items.
+/// Items as text, a statement to a line. `None` if the tokens are no Rust items.
 pub fn format(items: TokenStream) -> Option<String> {
     syn::parse2(items)
         .ok()
-        .map(|file| layout::as_rustfmt(&prettyplease::unparse(&file)))
+        .map(|file| prettyplease::unparse(&file))
 }

@@ -2,132 +2,65 @@
 //!
 //! First identities that hold between expressions are found by their fingerprints (their values at random points of a
 //! prime field): equal expressions become one ([`identities`]), and a homogeneous function is rebuilt from its partials
-//! by Euler's relation ([`homogeneous`]). Then the graph is lowered to a [`circuit::Circuit`], in which sums and
+//! by Euler's relation ([`homogeneous`]). Then the graph is lowered to a [`Circuit`], in which sums and
 //! products are taken apart into shared ones by several orders of extraction ([`extract`]), and the cheapest is kept of
 //! those that lose no digits ([`rounding`]).
 
 pub mod bounded;
-pub mod circuit;
 pub mod coefficients;
 mod common_factors;
 pub mod constants;
 pub mod extract;
-pub mod fingerprint;
+mod forms;
 pub mod homogeneous;
 pub mod identities;
 pub mod lower;
 pub mod multiples;
 pub mod pairs;
+pub mod passes;
 pub mod probes;
 pub mod quotients;
 pub mod repeats;
 pub mod rounding;
+mod search;
 pub mod written;
 
-use crate::factor::circuit::Circuit;
-use crate::factor::extract::{ORDERS, Step};
-use crate::factor::rounding::{Fault, Reference, Written};
-use crate::gather::Definitions;
-use crate::graph::{ExprId, Graph, SymbolId};
-use crate::parallel::{both, on_all_cores};
-use crate::{differentiate, rewrite};
+use crate::circuit::Circuit;
+use crate::graph::Graph;
+use crate::outputs::{Held, Outputs};
+use crate::parallel::both;
+use crate::rewrite;
+use forms::{held_forms, lowered_forms, merged_forms};
+use passes::{Pass, Passes};
+use rounding::{Fault, Reference, Written};
+use search::Search;
 
-/// The numbers that one generated function gives.
-#[derive(Clone, Debug, Default)]
-pub struct Outputs {
-    /// The values.
-    pub values: Vec<ExprId>,
-    /// The symbols that the gradient is by.
-    pub by: Vec<SymbolId>,
-    /// For each value its partials by those symbols.
-    pub gradients: Vec<Vec<ExprId>>,
-    /// For each value the upper triangle of its second partials, by rows.
-    pub hessians: Vec<Vec<ExprId>>,
-}
-
-impl Outputs {
-    /// All numbers in order.
-    pub fn all(&self) -> Vec<ExprId> {
-        let gradients = self.gradients.iter().flatten();
-        let hessians = self.hessians.iter().flatten();
-        self.values
-            .iter()
-            .chain(gradients)
-            .chain(hessians)
-            .copied()
-            .collect()
-    }
-
-    /// The same with other numbers, in order.
-    pub fn with_all(&self, all: &[ExprId]) -> Self {
-        let mut all = all.iter().copied();
-        let mut take =
-            |old: &Vec<ExprId>| -> Vec<ExprId> { all.by_ref().take(old.len()).collect() };
-        Self {
-            values: take(&self.values),
-            by: self.by.clone(),
-            gradients: self.gradients.iter().map(&mut take).collect(),
-            hessians: self.hessians.iter().map(&mut take).collect(),
-        }
-    }
-}
-
-/// The same numbers over named products that are held as symbols.
-#[derive(Clone, Debug)]
-pub struct Held {
-    /// The graph, whose first symbols are those of the other form.
-    pub graph: Graph,
-    /// The numbers.
-    pub outputs: Outputs,
-    /// What each held symbol is, over the symbols before it.
-    pub definitions: Definitions,
-}
-
-impl Held {
-    /// The numbers, then the products.
-    fn all(&self) -> Vec<ExprId> {
-        let products = self.definitions.iter().map(|(_, product)| *product);
-        self.outputs.all().into_iter().chain(products).collect()
-    }
-
-    /// The same, rewritten.
-    pub fn rewritten(&self) -> Self {
-        let (graph, all) = rewrite::rewrite(&self.graph, &self.all());
-        let (outputs, products) = all.split_at(all.len() - self.definitions.len());
-        let symbols = self.definitions.iter().map(|(symbol, _)| *symbol);
-        Self {
-            graph,
-            outputs: self.outputs.with_all(outputs),
-            definitions: symbols.zip(products.iter().copied()).collect(),
-        }
-    }
-}
-
-/// The size of a form of held products over that without, from which on it is never the cheapest: where an author has given
-/// every product a name, all of these are derived by each other.
+/// How many times larger than the form without held products the one with them may be. A larger one is never the cheapest:
+/// it arises where an author named every product, and each is derived by all others.
 const MOST_OF_HELD: usize = 2;
 
-/// The circuit that was found, and why it is the author's form where it is that.
+/// The circuit that was found, and the reason if it is the author's form.
 #[derive(Clone, Debug)]
 pub struct Found {
     /// The operations.
     pub circuit: Circuit,
-    /// What is wrong with the cheapest of other forms, where none of them is right.
+    /// What is wrong with the cheapest other form, if no other form is accurate enough.
     pub as_written: Option<Fault>,
 }
 
 /// The circuit with the fewest operations that was found for these outputs, among those that are as right as the formula as
 /// its author wrote it; that formula where there is none.
 pub fn minimise(graph: &Graph, outputs: &Outputs, written: &Written) -> Found {
-    minimise_with(graph, outputs, written, None)
+    minimise_with(graph, outputs, written, None, Passes::ALL)
 }
 
-/// The same with another form to choose from.
+/// Finds the circuit as [`minimise`] does, with a form over held products to choose from, and by the given passes alone.
 pub fn minimise_with(
     graph: &Graph,
     outputs: &Outputs,
     written: &Written,
     held: Option<&Held>,
+    passes: Passes,
 ) -> Found {
     if written.undoes_rounding {
         return as_written(written, Fault::UndoesRounding);
@@ -137,27 +70,31 @@ pub fn minimise_with(
     }
     let (reference, merged) = both(
         || Reference::beside(written, graph, &outputs.all()),
-        || merged_forms(graph, outputs),
+        || merged_forms(graph, outputs, passes),
     );
     let all = outputs.all();
     let plain = written::circuit(&written.graph, &written.reverse);
     let size = graph.reachable(&all).len();
+    let held = held.filter(|_| passes.has(Pass::Held));
     let held = held.filter(|held| held.graph.reachable(&held.all()).len() <= MOST_OF_HELD * size);
-    let mut held = held.map(held_forms).unwrap_or_default();
-    // What is as its author wrote it only where the other loses digits.
+    let mut held = held
+        .map(|held| held_forms(held, passes))
+        .unwrap_or_default();
+    // A form without merged expressions is tried only where all merged forms lose digits.
     let gathered = std::iter::once_with(|| vec![rewrite::rewrite(graph, &all)]);
     let mut fault = None;
     for graphs in std::iter::once(merged).chain(gathered) {
         let lowered = graphs
             .into_iter()
             .filter(|(graph, _)| !graph.is_exceeded())
-            .flat_map(|(graph, roots)| lowered_forms(graph, roots, outputs))
+            .flat_map(|(graph, roots)| lowered_forms(graph, roots, outputs, passes))
             .chain(std::mem::take(&mut held));
-        for circuits in Search::new(lowered.collect()) {
+        for circuits in Search::new(lowered.collect(), passes) {
             match best_of(circuits, &reference, graph) {
                 Ok(circuit) => {
                     // The author's own operations may be the fewest.
-                    let is_cheaper = plain.cost().weight() < circuit.cost().weight();
+                    let is_cheaper = passes.has(Pass::Written)
+                        && plain.cost().weight() < circuit.cost().weight();
                     let is_plain = is_cheaper && reference.fault(graph, &plain).is_none();
                     return Found {
                         circuit: if is_plain { plain } else { circuit },
@@ -195,13 +132,6 @@ fn as_written(written: &Written, fault: Fault) -> Found {
     }
 }
 
-/// The outputs with equal expressions as one, with the partials of the reverse and of the forward mode.
-fn merged_forms(graph: &Graph, outputs: &Outputs) -> Vec<(Graph, Vec<ExprId>)> {
-    let forward = forward(graph, outputs).map(|(graph, all)| unified(&graph, &all));
-    let reverse = unified(graph, &outputs.all());
-    [reverse].into_iter().chain(forward).collect()
-}
-
 /// The cheapest circuit of those that are as right as the author's form; what is wrong with the cheapest where there is none.
 fn best_of(
     mut circuits: Vec<Circuit>,
@@ -223,181 +153,4 @@ fn best_of(
         refused.push(circuit);
     }
     Err(first)
-}
-
-/// Works out forms in the orders of extraction: the most promising forms in all orders first, the others only where those
-/// lose digits.
-///
-/// Which form is best shows in one or two orders; trying them all on every form takes three to six times as long and has
-/// found nothing cheaper in any formula that was looked at.
-struct Search {
-    /// The forms with what the first orders made of them, the dearest first.
-    forms: Vec<(Circuit, Vec<Circuit>)>,
-    /// The orders that are left to be tried.
-    rest: Vec<&'static [Step]>,
-}
-
-/// Forms that are worked out together.
-const FORMS: usize = 2;
-
-/// The places of the orders that show which form is best.
-const FIRST_ORDERS: [usize; 2] = [1, 2];
-
-/// The size beyond which a circuit is large, the order that then shows it, and the others that are tried: for large
-/// circuits one of these has been the best.
-const LARGE: usize = 240;
-const FIRST_OF_LARGE: [usize; 1] = [4];
-const REST_OF_LARGE: [usize; 3] = [1, 7, 8];
-
-/// The size beyond which one form and that one order have to do: the others would take three times as long as all the rest.
-const HUGE: usize = 2_000;
-
-impl Search {
-    fn new(forms: Vec<Circuit>) -> Self {
-        let size = forms.iter().map(|form| form.nets().count()).max();
-        let size = size.unwrap_or(0);
-        let all = 0..ORDERS.len();
-        let (first, rest): (&[usize], Vec<usize>) = if size > HUGE {
-            (&FIRST_OF_LARGE, Vec::new())
-        } else if size > LARGE {
-            (&FIRST_OF_LARGE, REST_OF_LARGE.to_vec())
-        } else {
-            let rest = all.filter(|place| !FIRST_ORDERS.contains(place));
-            (&FIRST_ORDERS, rest.collect())
-        };
-        let orders = |places: &[usize]| places.iter().map(|place| ORDERS[*place]).collect();
-        let (first, rest): (Vec<_>, Vec<_>) = (orders(first), orders(&rest));
-        let mut tried = extracted(&forms, &first).into_iter();
-        let mut forms: Vec<_> = forms
-            .into_iter()
-            .map(|form| (form, tried.by_ref().take(first.len()).collect::<Vec<_>>()))
-            .collect();
-        let least = |(_, tried): &(Circuit, Vec<Circuit>)| {
-            let weights = tried.iter().map(|circuit| circuit.cost().weight());
-            weights.min()
-        };
-        // The first of equals comes first.
-        forms.reverse();
-        forms.sort_by_key(|form| std::cmp::Reverse(least(form)));
-        Self { forms, rest }
-    }
-}
-
-impl Iterator for Search {
-    type Item = Vec<Circuit>;
-
-    fn next(&mut self) -> Option<Vec<Circuit>> {
-        let kept = self.forms.len().saturating_sub(FORMS);
-        let (forms, mut tried): (Vec<_>, Vec<_>) = self.forms.drain(kept..).rev().unzip();
-        if forms.is_empty() {
-            return None;
-        }
-        tried.push(extracted(&forms, &self.rest));
-        Some(tried.into_iter().flatten().collect())
-    }
-}
-
-/// Every circuit in every order of extraction, one after the other.
-fn extracted(lowered: &[Circuit], orders: &[&[Step]]) -> Vec<Circuit> {
-    let ways = lowered
-        .iter()
-        .flat_map(|circuit| orders.iter().map(move |order| (circuit, *order)));
-    let ways: Vec<_> = ways.collect();
-    on_all_cores(&ways, |(circuit, order)| {
-        let mut circuit = Circuit::clone(circuit);
-        extract::extract(&mut circuit, order);
-        circuit
-    })
-}
-
-/// The circuits of held products.
-fn held_forms(held: &Held) -> Vec<Circuit> {
-    let held = identities::merge_held(held).rewritten();
-    let symbols: Vec<SymbolId> = held.definitions.iter().map(|(symbol, _)| *symbol).collect();
-    let all = held.all();
-    let mut forms = lowered_forms(held.graph, all, &held.outputs);
-    for form in &mut forms {
-        form.define(&symbols);
-    }
-    forms
-}
-
-/// Equal expressions as one.
-fn unified(graph: &Graph, all: &[ExprId]) -> (Graph, Vec<ExprId>) {
-    let merged = identities::merge(graph, all);
-    // What has become equal may cancel now.
-    rewrite::rewrite(&merged.0, &merged.1)
-}
-
-/// The largest graph of which the forward mode's partials are tried too: it writes each partial on its own, which takes
-/// long to sort out, and for large formulas the reverse mode always comes out shorter.
-const SMALL: usize = 300;
-
-/// The same outputs with their gradients by the forward mode.
-fn forward(graph: &Graph, outputs: &Outputs) -> Option<(Graph, Vec<ExprId>)> {
-    let all = outputs.all();
-    let wanted = !outputs.gradients.is_empty() && outputs.hessians.is_empty();
-    if !wanted || graph.reachable(&all).len() > SMALL {
-        return None;
-    }
-    let mut graph = graph.clone();
-    let mut forward = outputs.clone();
-    for (value, gradient) in outputs.values.iter().zip(&mut forward.gradients) {
-        let partials = differentiate::gradient_forward(&mut graph, *value, &outputs.by);
-        for (partial, reverse) in partials.iter().zip(gradient.iter()) {
-            if let Some(name) = graph.suggested_name(*reverse).map(ToOwned::to_owned) {
-                graph.suggest_name(*partial, &name);
-            }
-        }
-        *gradient = partials;
-    }
-    let all = forward.all();
-    Some((graph, all))
-}
-
-/// The most binary digits of a constant in a circuit: twice those of the largest and the smallest `f64`.
-const LONGEST_CONSTANT: u64 = 2200;
-
-/// The outputs in every form that may turn out to be cheapest, each once.
-fn lowered_forms(graph: Graph, roots: Vec<ExprId>, outputs: &Outputs) -> Vec<Circuit> {
-    let is_huge = graph.reachable(&roots).len() > HUGE;
-    let mut forms = vec![(graph, roots)];
-    if !is_huge {
-        add_rewritten(&mut forms);
-    }
-    let lowered = on_all_cores(&forms, |(graph, roots)| {
-        let mut graph = graph.clone();
-        let rebuilt = (!is_huge)
-            .then(|| homogeneous::rebuild_values(&mut graph, &outputs.with_all(roots)))
-            .flatten();
-        let rebuilt = rebuilt.map(|mut rebuilt| {
-            rebuilt.extend(roots.iter().skip(rebuilt.len()));
-            rebuilt
-        });
-        let ways = [Some(roots.clone()), rebuilt].into_iter().flatten();
-        ways.map(|roots| lower::lower(&graph, &roots))
-            .collect::<Vec<_>>()
-    });
-    let mut forms: Vec<Circuit> = Vec::new();
-    // What has constants that no number holds is of no use, and takes long to look through.
-    let useful = |circuit: &Circuit| circuit.longest_constant() <= LONGEST_CONSTANT;
-    for form in lowered.into_iter().flatten().filter(useful) {
-        if !forms.iter().any(|known| known.is_same(&form)) {
-            forms.push(form);
-        }
-    }
-    forms
-}
-
-/// Adds what the ways of rewriting make of a form that are no rules.
-fn add_rewritten(forms: &mut Vec<rewrite::Form>) {
-    rewrite::go_on(forms, rewrite::roots::without_quotients);
-    rewrite::go_on(forms, rewrite::common::take_out);
-    rewrite::go_on(forms, rewrite::roots::join);
-    let exponentials = forms
-        .last()
-        .map(|(graph, roots)| rewrite::exponentials::forms(graph, roots));
-    rewrite::go_on(forms, rewrite::roots::without_quotients);
-    let exponentials = exponentials.into_iter().flatten();
-    forms.extend(exponentials.map(|(graph, roots)| rewrite::rewrite(&graph, &roots)));
 }

@@ -6,9 +6,9 @@
 
 use std::collections::BTreeMap;
 
-use crate::factor::fingerprint::vanishing;
-use crate::factor::{Held, Outputs};
-use crate::graph::{Domain, ExprId, Graph, Node, Rational, Role, SymbolId, whole};
+use crate::fingerprint::vanishing;
+use crate::graph::{Domain, ExprId, Graph, Node, Rational, Role, whole};
+use crate::outputs::{Definitions, Held, Outputs};
 
 /// A formula's numbers in the graph that is worked on.
 #[derive(Debug)]
@@ -102,7 +102,7 @@ fn enter(graph: &Graph, multiples: &mut Multiples, operand: ExprId, q: &Rational
     *left += &q;
 }
 
-/// Gathers the numbers of a formula with its named products as symbols of their own; None where there is none.
+/// Gathers the numbers of a formula with its named products as symbols of their own; `None` if there is none.
 ///
 /// A product of products is one product: an author's `bending * c.c44` becomes a product of all that both are made of. Held,
 /// each named product stays whole, so that a derivative goes from there to each of the many inputs at once, past the few
@@ -126,9 +126,6 @@ pub fn hold(written: &Graph, roots: &[ExprId]) -> Option<Held> {
         definitions,
     })
 }
-
-/// The named products of a formula in the order of their making: the symbol of each, and what it is.
-pub type Definitions = Vec<(SymbolId, ExprId)>;
 
 /// The number that stands for a named one: a symbol, or a multiple of one, for a product that divides by nothing that may
 /// be 0.

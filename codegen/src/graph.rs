@@ -15,6 +15,7 @@
 //! what a function's body is read into, and what all other forms of it are held against; only equal nodes are one.
 
 mod canonical;
+mod decimal;
 pub(crate) mod rational;
 mod sign;
 
@@ -25,6 +26,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use smallvec::SmallVec;
 
 use crate::approximate::piecewise::PiecewisePolynomial;
+pub use decimal::decimal;
 pub use rational::{Rational, ratio, whole};
 pub use sign::{Domain, Sign};
 
@@ -461,9 +463,9 @@ impl Graph {
                     ..
                 } if symbols.contains(variable) => depends[lower.index()] || depends[upper.index()],
                 _ => {
-                    let mut any = false;
-                    self.each_operand(id, |operand| any |= depends[operand.index()]);
-                    any
+                    let mut operand_depends = false;
+                    self.each_operand(id, |operand| operand_depends |= depends[operand.index()]);
+                    operand_depends
                 }
             };
         }

@@ -9,7 +9,7 @@ pub use prepared::Prepared;
 
 use crate::approximate::piecewise::PiecewisePolynomial;
 use crate::approximate::quadrature::integrate;
-use crate::factor::circuit::Circuit;
+use crate::circuit::Circuit;
 use crate::graph::{ExprId, Function, Graph, NamedConstant, Node, Rational, SymbolId, Table};
 
 /// A kind of number that a graph can be evaluated in: `f64`, or more digits in tests.
@@ -167,7 +167,7 @@ pub(crate) fn node_value<T: Number>(
     })
 }
 
-/// The values of the roots, for values of the symbols in the order in which the graph has them. None where an
+/// The values of the roots, for values of the symbols in the order in which the graph has them. `None` if an
 /// integral is among them or a symbol has no value.
 pub fn evaluate<T: Number>(graph: &Graph, roots: &[ExprId], symbols: &[T]) -> Option<Vec<T>> {
     let mut values: Vec<Option<T>> = vec![None; graph.len()];

@@ -1,19 +1,18 @@
 //! Formulas as LaTeX, from their source: what their author wrote is shown, before any rewriting.
 //!
-//! `symbols` alone decides how a name looks, `piece` where parentheses stand, `expression` how a construct of the
+//! [`Symbols`] alone decide how a name looks, `piece` where parentheses stand, `expression` how a construct of the
 //! language is typeset, and this file how lines make up a formula.
 
 mod expression;
 mod piece;
-mod symbols;
 
 use syn::visit::Visit;
 use syn::{Expr, Pat, Stmt, Type};
 
 use crate::parse::module::{Function, Module};
 use crate::parse::names::Callee;
+use crate::symbols::{Symbols, with_subscript};
 use expression::{Names, Writer};
-pub use symbols::Symbols;
 
 /// A line of more visible characters than this is broken before a plus or minus of its own.
 const LONGEST: usize = 70;
@@ -197,7 +196,7 @@ fn result_lines(
             let line = |(position, element)| {
                 let left = format!(
                     "{}{arguments}",
-                    symbols::with_subscript(&head, &format!("{}", position + 1))
+                    with_subscript(&head, &format!("{}", position + 1))
                 );
                 Ok(Line::new(left, &writer.terms(element)?))
             };

@@ -191,6 +191,7 @@
 //! | [`gather`] | from the graph as written to the canonical one |
 //! | [`differentiate`] | partials in the graph by the reverse and the forward mode |
 //! | [`rewrite`] | a table of sound rules, each with its guard |
+//! | [`circuit`] | the form in which every operation that will be done is visible, with what it costs |
 //! | [`factor`] | the fewest operations over a value and its partials together |
 //! | [`stage`] | what is done once, what once for each value of an inner parameter, what at every point |
 //! | [`mod@chain`] | which formulas give what others take, from the inputs to every result |
@@ -198,12 +199,13 @@
 //! | [`mod@expand`] | the pipeline, and the module that comes out |
 //!
 //! Beside them: [`budget`] (how long searches go on, counted), [`approximate`] and [`tables`] (integrals and costly functions as piecewise polynomials, fitted when the
-//! crate is built), [`interpret`] (evaluates a graph), [`cost`] (counts), [`diagnostics`] (messages at tokens), [`latex`]
+//! crate is built), [`interpret`] (evaluates a graph), [`fingerprint`] (tells equal expressions), [`outputs`] (the numbers of one generated function), [`cost`] (counts), [`diagnostics`] (messages at tokens), [`latex`]
 //! (source to formulas as printed), [`dot`] (circuits as pictures), [`show`] (all of these by a formula's name).
 
 pub mod approximate;
 pub mod budget;
 pub mod chain;
+pub mod circuit;
 pub mod cost;
 pub mod diagnostics;
 pub mod differentiate;
@@ -211,16 +213,19 @@ pub mod dot;
 pub mod emit;
 pub mod expand;
 pub mod factor;
+pub mod fingerprint;
 pub mod gather;
 pub mod graph;
 pub mod interpret;
 pub mod latex;
 pub mod link;
+pub mod outputs;
 mod parallel;
 pub mod parse;
 pub mod rewrite;
 pub mod show;
 pub mod stage;
+pub mod symbols;
 pub mod tables;
 
 pub use expand::expand;

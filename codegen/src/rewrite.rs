@@ -11,6 +11,7 @@ pub mod rules;
 mod signs;
 
 use crate::graph::{ExprId, Function, Graph};
+use crate::outputs::Held;
 
 /// A rewriting rule.
 pub struct Rule {
@@ -33,7 +34,7 @@ const MOST_STEPS: usize = 64;
 /// Expressions of a graph.
 pub type Form = (Graph, Vec<ExprId>);
 
-/// Adds what a way of rewriting makes of the last form, rewritten by the rules, if it makes anything of it.
+/// Rewrites the last form in one way and then by the rules, and adds the result if that way changed anything.
 pub fn go_on(forms: &mut Vec<Form>, way: fn(&Graph, &[ExprId]) -> Option<Form>) {
     let changed = forms.last().and_then(|(graph, roots)| way(graph, roots));
     forms.extend(changed.map(|(graph, roots)| rewrite(&graph, &roots)));
@@ -48,21 +49,34 @@ pub fn rewrite(graph: &Graph, roots: &[ExprId]) -> Form {
     roots::share(target, roots)
 }
 
-/// Rebuilds the roots with what `change` makes of every node, which is rewritten already; None where it makes nothing of any.
+/// Rewrites numbers over held products, and these products.
+pub fn rewrite_held(held: &Held) -> Held {
+    let (graph, all) = rewrite(&held.graph, &held.all());
+    let (outputs, products) = all.split_at(all.len() - held.definitions.len());
+    let symbols = held.definitions.iter().map(|(symbol, _)| *symbol);
+    Held {
+        graph,
+        outputs: held.outputs.with_all(outputs),
+        definitions: symbols.zip(products.iter().copied()).collect(),
+    }
+}
+
+/// Rebuilds the roots, each node rewritten by the rules and then replaced by what `change` gives for it; `None` if `change`
+/// gives nothing new for any node.
 fn changed(
     graph: &Graph,
     roots: &[ExprId],
     change: fn(&mut Graph, ExprId) -> Option<ExprId>,
 ) -> Option<Form> {
     let mut target = Graph::with_symbols_of(graph);
-    let mut any = false;
+    let mut is_changed = false;
     let roots = graph.rebuild(&mut target, roots, |target, _, image| {
         let image = simplify(target, image);
         let changed = change(target, image);
-        any |= changed.is_some_and(|changed| changed != image);
+        is_changed |= changed.is_some_and(|changed| changed != image);
         changed.unwrap_or(image)
     });
-    any.then_some((target, roots))
+    is_changed.then_some((target, roots))
 }
 
 /// Applies the rules to one node, whose operands are rewritten already, until none applies.

@@ -53,7 +53,7 @@ pub struct Summary {
     pub name: String,
     /// The first paragraph of its documentation, in one line.
     pub about: String,
-    /// The operations of its value; None where the formula has mistakes or is an integral.
+    /// The operations of its value; `None` if the formula has mistakes or is an integral.
     pub cost: Option<Cost>,
 }
 

@@ -14,12 +14,13 @@ pub mod terms;
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use crate::circuit::{Circuit, Net, Operation};
 use crate::cost::Cost;
-use crate::factor::circuit::{Circuit, Net, Operation};
 use crate::factor::extract::{self, ORDERS};
 use crate::factor::rounding::{Reference, Written};
-use crate::factor::{self, Outputs, lower};
+use crate::factor::{self, lower};
 use crate::graph::{ExprId, Graph, SymbolId};
+use crate::outputs::Outputs;
 use crate::rewrite::{self, Form};
 pub use split::{Staged, split};
 
@@ -72,7 +73,7 @@ pub fn stages(circuit: &Circuit, inner: &BTreeSet<SymbolId>) -> Vec<Stage> {
     stages
 }
 
-/// What the operations of one stage cost.
+/// Adds up the cost of the operations of one stage.
 fn cost_of(circuit: &Circuit, inner: &BTreeSet<SymbolId>, stage: Stage) -> Cost {
     let stages = stages(circuit, inner);
     let of_stage = circuit.nets().filter(|net| stages[net.index()] == stage);
@@ -129,9 +130,7 @@ pub fn minimise(
 /// The outputs in every form that may turn out to leave the fewest operations at the points.
 fn forms(graph: &Graph, roots: &[ExprId], inner: &BTreeSet<SymbolId>) -> Vec<Form> {
     let written = rewrite::rewrite(graph, roots);
-    let merged = factor::identities::merge(graph, roots);
-    let merged = rewrite::rewrite(&merged.0, &merged.1);
-    let mut forms = vec![written, merged];
+    let mut forms = vec![written];
     rewrite::go_on(&mut forms, rewrite::common::take_out);
     rewrite::go_on(&mut forms, rewrite::roots::join);
     let absorbed = forms

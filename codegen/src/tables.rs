@@ -11,6 +11,7 @@ use crate::parse::attributes::Approximation;
 use crate::parse::body::Reader;
 use crate::parse::module::{Function, Module};
 use crate::parse::place::Place;
+use crate::parse::tabulated::TableSource;
 use crate::parse::value::Value;
 
 /// Share of a fit's tolerance that the quadrature behind it may use up.
@@ -41,29 +42,6 @@ impl Tables {
             sketched: true,
             ..Self::default()
         }
-    }
-
-    /// The table of an approximated function of the module `home`, which is read for another one or itself. None where it
-    /// could not be made, which is then reported, for a linked module by that module itself.
-    pub fn get(
-        &mut self,
-        reading: &Module,
-        home: &Module,
-        function: &Function,
-        approximation: &Approximation,
-    ) -> Option<&Table> {
-        let key = [reading.key.clone(), home.key.clone(), function.name()];
-        if !self.known.contains_key(&key) {
-            // Entered first, so that a function whose integrand needs its own table ends here.
-            self.known.insert(key.clone(), None);
-            let table = if reading.key == home.key {
-                self.fit(home, function, approximation, self.sketched)
-            } else {
-                self.borrow(reading, home, function, approximation)
-            };
-            self.known.insert(key.clone(), table);
-        }
-        self.known.get(&key)?.as_ref()
     }
 
     /// The table of a linked module's function, sketched: the module has it in full.
@@ -179,6 +157,34 @@ impl Tables {
                 None
             }
         }
+    }
+}
+
+impl TableSource for Tables {
+    // Mistakes in a linked module's function are reported by that module itself.
+    fn table(
+        &mut self,
+        reading: &Module,
+        home: &Module,
+        function: &Function,
+        approximation: &Approximation,
+    ) -> Option<&Table> {
+        let key = [reading.key.clone(), home.key.clone(), function.name()];
+        if !self.known.contains_key(&key) {
+            // Entered first, so that a function whose integrand needs its own table ends here.
+            self.known.insert(key.clone(), None);
+            let table = if reading.key == home.key {
+                self.fit(home, function, approximation, self.sketched)
+            } else {
+                self.borrow(reading, home, function, approximation)
+            };
+            self.known.insert(key.clone(), table);
+        }
+        self.known.get(&key)?.as_ref()
+    }
+
+    fn sketched_apart(&self) -> Box<dyn TableSource> {
+        Box::new(Self::sketched())
     }
 }
 

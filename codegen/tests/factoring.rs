@@ -8,15 +8,16 @@
 
 mod support;
 
+use codegen::circuit::{Circuit, Net, Operation};
 use codegen::cost::Cost;
 use codegen::differentiate;
 use codegen::emit::scalar::Form;
-use codegen::factor::circuit::{Circuit, Net, Operation};
 use codegen::factor::coefficients;
 use codegen::factor::extract::{Step, extract};
 use codegen::gather::gather;
+use codegen::graph::decimal;
 use codegen::graph::{Function, Graph, Node, Rational, ratio, whole};
-use codegen::parse::literal::{constant, decimal};
+use codegen::parse::literal::constant;
 
 /// A circuit with symbols x0, x1, …
 fn circuit(symbols: usize) -> (Circuit, Vec<Net>) {
@@ -269,6 +270,14 @@ fn divisions_are_shared() {
     // Three factors, but one denominator.
     assert_eq!(
         cost("(f64, f64) { (x / (a * b * (a + b)), y / (a * b * (a + b))) }").div,
+        1
+    );
+}
+
+#[test]
+fn the_inverse_of_a_size_is_the_size_of_the_inverse() {
+    assert_eq!(
+        cost("(f64, f64, f64) { (x / a, y / a, x / a.abs()) }").div,
         1
     );
 }

@@ -10,7 +10,8 @@ use codegen::budget::Budget;
 use codegen::differentiate;
 use codegen::emit::scalar::Form;
 use codegen::expand::{Formula, derive, derive_written};
-use codegen::factor::extract::{ORDERS, extract_within};
+use codegen::factor::extract::{ORDERS, extract_with};
+use codegen::factor::passes::Passes;
 use codegen::factor::rounding::Written;
 use codegen::factor::{lower, probes};
 use codegen::graph::SymbolId;
@@ -51,7 +52,7 @@ fn counted(body: &str) -> [(&'static str, usize); 4] {
     let mut of_searches = Budget::default();
     // Orders in which sums and in which products are shared first.
     for order in [ORDERS[1], ORDERS[7]] {
-        extract_within(&mut circuit.clone(), order, &mut of_searches);
+        extract_with(&mut circuit.clone(), order, Passes::ALL, &mut of_searches);
     }
     [
         ("looks for the gradient", of_gradient.spent()),

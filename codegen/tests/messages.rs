@@ -52,6 +52,30 @@ fn nothing_stands_in_for_code_without_an_error() {
 }
 
 #[test]
+fn two_stages_of_one_name_are_reported() {
+    let mut expansion = Expansion::of(syn::parse_quote!(
+        mod formulas {
+            #[generate(stage(a, b, d), stage(a, c, d))]
+            pub fn sum(a: f64, b: f64, c: f64, d: f64, e: f64) -> f64 {
+                a * b + c * d + e
+            }
+        }
+    ));
+    expansion.generate_all();
+    let messages: Vec<String> = expansion
+        .diagnostics
+        .iter()
+        .map(|diagnostic| diagnostic.text())
+        .collect();
+    assert_eq!(
+        messages,
+        [
+            "a second stage whose module is `along_a_to_d`\n  help: leave one of them, or name its parameters in another order"
+        ]
+    );
+}
+
+#[test]
 fn partials_by_nothing_are_documented_as_such() {
     let source = "#[symbolic] mod m { #[generate(gradient)] pub fn one() -> f64 { 1.0 } }";
     let mut module = show::module(source).unwrap();

@@ -11,9 +11,9 @@ mod support;
 
 use std::cell::Cell;
 
+use codegen::circuit::{Circuit, Operation};
 use codegen::emit::scalar::Form;
 use codegen::expand::{Expansion, Generated, derive, derive_held};
-use codegen::factor::circuit::{Circuit, Operation};
 use codegen::graph::{Graph, SymbolId};
 use codegen::interpret::{evaluate, evaluate_circuit};
 use codegen::parse::attributes::{StageRequest, Target};

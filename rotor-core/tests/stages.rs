@@ -3,7 +3,7 @@
 
 use lanes::{ALL, Kernel, Level, store};
 use proptest::prelude::*;
-use rotor_core::equations::both_widths::along_beta_and_gamma_and_delta_and_epsilon_1_and_epsilon_12_and_epsilon_2 as along_coefficients;
+use rotor_core::equations::both_widths::along_beta_to_epsilon_2 as along_coefficients;
 use rotor_core::equations::both_widths::{
     Columns, along_crack_angle, along_disk_asymmetry, columns,
 };

@@ -42,7 +42,7 @@ pub(super) fn coefficients(values: &[f64]) -> Vec<f64> {
     coefficients
 }
 
-/// The same polynomial in powers of $t$: $\sum_k c_k T_k(t) = \sum_k a_k t^k$.
+/// Rewrites a Chebyshev series in powers of $t$: $\sum_k c_k T_k(t) = \sum_k a_k t^k$.
 ///
 /// The powers are well conditioned here since the $c_k$ of an accepted piece fall faster than the
 /// integer coefficients of $T_k$ grow, about $2.4^k$.

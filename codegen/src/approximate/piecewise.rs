@@ -196,7 +196,7 @@ impl PiecewisePolynomial {
 
     /// A polynomial that was not fitted, for tests of what is done with one.
     #[cfg(test)]
-    pub(super) fn with_rows(breakpoints: Vec<f64>, coefficients: Vec<Vec<f64>>) -> Self {
+    pub(crate) fn with_rows(breakpoints: Vec<f64>, coefficients: Vec<Vec<f64>>) -> Self {
         Self {
             breakpoints,
             coefficients,
@@ -208,12 +208,12 @@ impl PiecewisePolynomial {
     }
 
     /// Middle of a piece.
-    pub(super) fn center(&self, piece: usize) -> f64 {
+    pub(crate) fn center(&self, piece: usize) -> f64 {
         0.5 * (self.breakpoints[piece] + self.breakpoints[piece + 1])
     }
 
     /// Factor from `x` to `t` on a piece.
-    pub(super) fn scale(&self, piece: usize) -> f64 {
+    pub(crate) fn scale(&self, piece: usize) -> f64 {
         2.0 / (self.breakpoints[piece + 1] - self.breakpoints[piece])
     }
 }

@@ -10,7 +10,7 @@ use crate::budget::Budget;
 use crate::graph::{ExprId, Function, Graph, Node, Operands, Rational, SymbolId, whole};
 use crate::rewrite::common::over_common_divisor;
 
-/// The partials of a function, or None where they are beyond the budget.
+/// The partials of a function, or `None` if they are beyond the budget.
 pub(super) fn gradient(
     graph: &mut Graph,
     function: ExprId,
@@ -143,7 +143,7 @@ impl Sweeps<'_> {
         Some(())
     }
 
-    /// Passes on what a node gets from its users. None where the budget is spent.
+    /// Passes on what a node gets from its users. `None` if the budget is spent.
     fn visit(
         &self,
         graph: &mut Graph,

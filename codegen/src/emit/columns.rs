@@ -6,7 +6,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::expression::{Body, Writer};
-use crate::factor::circuit::Circuit;
+use crate::circuit::Circuit;
 use crate::graph::{Graph, SymbolId};
 use crate::parse::body::identifier;
 

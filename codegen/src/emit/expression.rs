@@ -9,7 +9,7 @@ use quote::{format_ident, quote};
 use super::literal;
 use super::namer::{LONGEST, Namer, method, pack_table_function, table_function};
 use super::roots;
-use crate::factor::circuit::{Circuit, Net, Operation};
+use crate::circuit::{Circuit, Net, Operation};
 use crate::graph::{Function, Graph, Rational, SymbolId};
 
 /// The width of a statement without its indentation, so that it stays on a line.
@@ -108,7 +108,7 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// The same with the sines and cosines that packs have, so that a number alone has the bits of one in a pack.
+    /// Makes the writer use the sines and cosines of packs, so that a single number has the bits of one in a pack.
     pub fn with_sines_of_packs(self, wanted: bool) -> Self {
         Self {
             with_sines_of_packs: wanted,
@@ -116,7 +116,7 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// The same for packs of numbers.
+    /// Makes the writer write code over packs of numbers.
     pub fn in_packs(self) -> Self {
         Self {
             numbers: Numbers::Packs,

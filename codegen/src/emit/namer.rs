@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use proc_macro2::{Ident, Span};
 
-use crate::factor::circuit::{Circuit, Net, Operation};
+use crate::circuit::{Circuit, Net, Operation};
 use crate::graph::{Function, Graph, Rational, SymbolId, ratio, whole};
 use crate::parse::body::identifier;
 
@@ -250,7 +250,7 @@ pub fn table_function(graph: &Graph, table: usize, order: usize) -> String {
     table_function_of(table.map_or("", |table| table.name.as_str()), order)
 }
 
-/// The same by the table's name.
+/// Name of the function that evaluates a derivative of the table with this name.
 pub fn table_function_of(name: &str, order: usize) -> String {
     match order {
         0 => format!("{name}_table"),
@@ -260,7 +260,7 @@ pub fn table_function_of(name: &str, order: usize) -> String {
     }
 }
 
-/// Name of the function that evaluates it for a pack.
+/// Name of the function that evaluates a table for a pack, given the name of the one for a number.
 pub fn pack_table_function(table_function: &str) -> String {
     format!("{table_function}_of_pack")
 }

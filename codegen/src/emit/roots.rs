@@ -2,17 +2,17 @@
 
 use std::collections::BTreeSet;
 
+use crate::circuit::{Circuit, Net, Operation};
 use crate::cost::Cost;
-use crate::factor::circuit::{Circuit, Net, Operation};
 use crate::graph::Function;
 
 /// Cycles for which roots of a pack of 8 occupy the divider, on Zen 4; on Intel's machines they are as many or more.
 const ROOT: usize = 17;
-/// The same of quotients.
+/// Cycles for which quotients of a pack of 8 occupy the divider, on Zen 4.
 const QUOTIENT: usize = 10;
 /// Cycles for which roots by multiplications occupy the multipliers, which take a multiplication of packs each cycle.
 const ROOT_BY_MULTIPLICATION: usize = 12;
-/// The same of another function, such as a sine.
+/// Cycles for which another function of a pack, such as a sine, occupies the multipliers.
 const CALL: usize = 20;
 
 /// The roots to compute by multiplications: as many as bring the longer of both, the time of the divider and that of the
@@ -32,7 +32,7 @@ pub(super) fn by_multiplication(circuit: &Circuit) -> BTreeSet<Net> {
     chosen.map(|(_, net)| *net).collect()
 }
 
-/// How many roots of a body of this cost are better computed by multiplications. None where that saves less than a quarter:
+/// How many roots of a body of this cost are better computed by multiplications. `None` if that saves less than a quarter:
 /// such a root is longer in coming, and of a long body too few packs are under way to hide it.
 fn balanced(cost: &Cost) -> usize {
     let time = |moved: usize| {

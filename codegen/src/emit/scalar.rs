@@ -4,7 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::expression::{Body, Writer};
-use crate::factor::circuit::Circuit;
+use crate::circuit::Circuit;
 use crate::graph::{Graph, SymbolId};
 use crate::parse::module::{Function, Parameter};
 use crate::parse::value::Value;

@@ -13,11 +13,15 @@ use crate::parse::body::identifier;
 use crate::parse::module::Function;
 use crate::stage::Staged;
 
-/// What the module of a staged form is called: `along_x`, `along_x_and_y`.
+/// Names the module of a staged form: `along_x`, `along_x_and_y`, and for more symbols `along_x_to_z` by the first and the
+/// last of them.
 pub fn module_name(symbols: &[String]) -> String {
     let last = |symbol: &String| identifier(symbol.rsplit('.').next().unwrap_or(symbol));
     let names: Vec<String> = symbols.iter().map(last).collect();
-    format!("along_{}", names.join("_and_"))
+    match names.as_slice() {
+        [first, _, .., last] => format!("along_{first}_to_{last}"),
+        names => format!("along_{}", names.join("_and_")),
+    }
 }
 
 /// The module of a staged form; `own` are the symbols of the formula, `inner` those that run along the points, `outputs` the

@@ -4,8 +4,8 @@ use super::Formula;
 use crate::differentiate::{self, Gradient};
 use crate::emit::scalar::Form;
 use crate::factor::rounding::Written;
-use crate::factor::{Held, Outputs};
 use crate::graph::{ExprId, Graph, SymbolId};
+use crate::outputs::{Held, Outputs};
 use crate::parse::body::identifier;
 use crate::rewrite;
 
@@ -24,7 +24,7 @@ pub fn derive_held(formula: &Formula, by: &[SymbolId]) -> Option<Held> {
         held.outputs.gradients.push(gradient);
     }
     name_partials(&mut held.graph, &held.outputs);
-    Some(held.rewritten())
+    Some(rewrite::rewrite_held(&held))
 }
 
 /// Suggests names for the first partials.
@@ -51,8 +51,8 @@ pub fn derive(formula: &Formula, form: Form, by: &[SymbolId]) -> (Graph, Outputs
 /// `let`s than twice as many breaks the compiler: each is a scope within the one before.
 const MOST_FORWARD: usize = 2_000;
 
-/// The same numbers as the author wrote them, with the partials of the author's operations one by one, as dual numbers have
-/// them: in the forward mode, and in the reverse mode, which takes fewer operations.
+/// Derives the formula as its author wrote it, operation by operation, as dual numbers do: once in the forward mode, and
+/// once in the reverse mode, which takes fewer operations.
 pub fn derive_written(formula: &Formula, form: Form, by: &[SymbolId]) -> Written {
     let mut written = formula.written.clone();
     let (graph, roots) = (&mut written.graph, &formula.written.roots);

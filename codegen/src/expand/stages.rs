@@ -33,7 +33,7 @@ impl Expansion {
         (module, weights)
     }
 
-    /// A function in stages, its inner symbols, and the names of its results. None where it could not be read or a name is
+    /// A function in stages, its inner symbols, and the names of its results. `None` if it could not be read or a name is
     /// unknown, which is reported.
     pub fn staged(
         &mut self,

@@ -4,9 +4,10 @@ use proc_macro2::{Span, TokenStream};
 use quote::{format_ident, quote};
 
 use super::Expansion;
+use crate::circuit::{Circuit, Operation};
 use crate::emit::namer::{pack_table_function, table_function_of};
-use crate::factor::circuit::{Circuit, Operation};
 use crate::graph::{Graph, Table};
+use crate::parse::tabulated::TableSource;
 use crate::tables::{Lent, orders_for_others};
 
 impl Expansion {
@@ -40,7 +41,7 @@ impl Expansion {
             let module = &self.module;
             if let Some(most) = orders_for_others(&function)
                 && let Some(approximation) = &function.approximation
-                && let Some(table) = self.tables.get(module, module, &function, approximation)
+                && let Some(table) = self.tables.table(module, module, &function, approximation)
             {
                 let table = table.clone();
                 for order in 0..=most {

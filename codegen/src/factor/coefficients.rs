@@ -2,7 +2,7 @@
 
 use smallvec::smallvec;
 
-use super::circuit::{Circuit, Net, Operation};
+use crate::circuit::{Circuit, Net, Operation};
 use crate::graph::Rational;
 
 /// Puts the sizes of coefficients into the products that they multiply. Signs stay: they are free.
@@ -25,7 +25,7 @@ pub fn open(circuit: &mut Circuit) {
         let sum = circuit.sum(terms);
         let operation = match circuit.operation(sum) {
             Operation::Sum(terms) => Operation::Sum(terms.clone()),
-            // A lone positive multiple has become the product itself.
+            // A sum of one positive multiple has become that product.
             _ => Operation::Sum(smallvec![(sum, Rational::ONE)]),
         };
         circuit.replace(net, operation);

@@ -5,9 +5,9 @@ use std::collections::{BTreeMap, BinaryHeap};
 
 use rustc_hash::FxHashMap;
 
-use super::circuit::{Circuit, Net, Operation};
 use super::extract::sorted;
 use crate::budget::Budget;
+use crate::circuit::{Circuit, Net, Operation};
 use crate::graph::Rational;
 
 /// A term of a sum, taken apart.
@@ -176,7 +176,7 @@ fn sum_of(circuit: &mut Circuit, terms: Vec<Term>) -> Term {
 
 /// The terms of a sum, with the factors that they have.
 struct Level {
-    /// In their order; None where a term was taken out.
+    /// In their order; `None` if a term was taken out.
     terms: Vec<Option<Term>>,
     /// For each factor its terms, and in how many that are left it costs a multiplication.
     factors: FxHashMap<Net, (Vec<usize>, usize)>,

@@ -164,8 +164,8 @@ fn circular(function: Function, x: &Rational) -> Option<Rational> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::graph::decimal;
     use crate::graph::ratio;
-    use crate::parse::literal::decimal;
 
     /// Whether they agree to 60 digits.
     fn assert_digits(function: Function, argument: Rational, digits: &str) {

@@ -6,9 +6,10 @@ use std::collections::BTreeMap;
 
 use smallvec::smallvec;
 
-use super::circuit::{Circuit, Net, Operation, Terms};
+use super::passes::{Pass, Passes};
 use super::{coefficients, common_factors, multiples, pairs, quotients, repeats};
 use crate::budget::Budget;
+use crate::circuit::{Circuit, Net, Operation, Terms};
 use crate::graph::Rational;
 
 /// One kind of extraction.
@@ -16,7 +17,8 @@ use crate::graph::Rational;
 pub enum Step {
     /// `a·b + a·c` becomes `a·(b + c)`; of a polynomial, Horner's form.
     Factors,
-    /// The same with products that are needed elsewhere too: a polynomial and its derivative each in Horner's form.
+    /// Takes common factors also out of products that other operations use, so that a polynomial and its derivative each
+    /// come into Horner's form.
     SharedFactors,
     /// A product of two that several products share is computed once.
     Products,
@@ -51,12 +53,13 @@ pub const ORDERS: [&[Step]; 12] = {
 
 /// Runs the steps in order, then divides where an inverse turned out to be multiplied by once.
 pub fn extract(circuit: &mut Circuit, steps: &[Step]) {
-    extract_within(circuit, steps, &mut Budget::default());
+    extract_with(circuit, steps, Passes::ALL, &mut Budget::default());
 }
 
-/// The same with a budget that counts the looks of all searches; each search has its own.
-pub fn extract_within(circuit: &mut Circuit, steps: &[Step], budget: &mut Budget) {
-    for step in steps {
+/// Runs the steps as [`extract`] does, by the given passes alone and with a budget that counts the looks of all searches;
+/// each search has its own.
+pub fn extract_with(circuit: &mut Circuit, steps: &[Step], passes: Passes, budget: &mut Budget) {
+    for step in steps.iter().filter(|step| passes.has(Pass::Step(**step))) {
         match step {
             Step::Factors => common_factors::take_out(circuit, false, budget),
             Step::SharedFactors => common_factors::take_out(circuit, true, budget),
@@ -68,16 +71,28 @@ pub fn extract_within(circuit: &mut Circuit, steps: &[Step], budget: &mut Budget
         }
         circuit.tidy();
     }
-    repeats::merge(circuit);
-    divide_by_lone_divisors(circuit);
-    multiples::share(circuit);
-    circuit.tidy();
-    // A multiple of an inverse that has become its only user.
-    divide_by_lone_divisors(circuit);
-    circuit.tidy();
-    quotients::share(circuit, budget);
-    circuit.tidy();
-    multiples::share(circuit);
+    let mut run = |pass: Pass, change: fn(&mut Circuit, &mut Budget)| {
+        if passes.has(pass) {
+            change(circuit, budget);
+        }
+    };
+    run(Pass::Repeats, |circuit, _| repeats::merge(circuit));
+    run(Pass::SharedMultiples, |circuit, _| {
+        multiples::share(circuit)
+    });
+    // After multiples are shared: one of them may have become an inverse's only user.
+    run(Pass::LoneDivisors, |circuit, _| {
+        circuit.tidy();
+        divide_by_lone_divisors(circuit);
+    });
+    run(Pass::Quotients, |circuit, budget| {
+        circuit.tidy();
+        quotients::share(circuit, budget);
+    });
+    run(Pass::SharedMultiples, |circuit, _| {
+        circuit.tidy();
+        multiples::share(circuit);
+    });
     circuit.tidy_by_inputs();
 }
 

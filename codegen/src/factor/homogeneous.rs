@@ -5,9 +5,9 @@
 
 use std::collections::BTreeSet;
 
-use super::Outputs;
-use super::fingerprint::{Residue, all_at, symbol_at};
+use crate::fingerprint::{Residue, all_at, symbol_at};
 use crate::graph::{ExprId, Graph, Node, Rational, ratio};
+use crate::outputs::Outputs;
 
 /// The most terms that a relation may have; it would not pay with more.
 const MOST_TERMS: usize = 4;

@@ -2,9 +2,9 @@
 
 use std::collections::HashMap;
 
-use super::Held;
-use super::fingerprint::{Fingerprint, Residue, is_zero, node_at, without_sign};
+use crate::fingerprint::{Fingerprint, Residue, is_zero, node_at, without_sign};
 use crate::graph::{ExprId, Graph, Node, Rational, whole};
+use crate::outputs::Held;
 
 /// Sums of more terms than this are not searched for equal parts: the search tries all subsets.
 const MOST_TERMS: usize = 10;
@@ -20,7 +20,7 @@ pub fn merge(graph: &Graph, roots: &[ExprId]) -> (Graph, Vec<ExprId>) {
     (target, roots)
 }
 
-/// The same for a form with held products, which have the values of what they are.
+/// Merges equal expressions of a form with held products, each of which has the value of its definition.
 pub fn merge_held(held: &Held) -> Held {
     let source = &held.graph;
     let mut graph = Graph::with_symbols_of(source);

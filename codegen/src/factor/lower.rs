@@ -8,10 +8,9 @@ use num_traits::{Pow, Signed};
 use rustc_hash::FxHashMap;
 use smallvec::smallvec;
 
-use super::circuit::{Circuit, Net, Operation, Terms};
 use super::constants;
-use crate::graph::{ExprId, Function, Graph, NamedConstant, Node, Rational, rational};
-use crate::parse::literal::decimal;
+use crate::circuit::{Circuit, Net, Operation, Terms};
+use crate::graph::{ExprId, Function, Graph, NamedConstant, Node, Rational, decimal, rational};
 
 /// Digits of a constant that is not rational, many more than any number type of the output has.
 const CONSTANT_DIGITS: u32 = 60;

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use smallvec::smallvec;
 
-use super::circuit::{Circuit, Net, Operation};
 use super::extract::sorted;
+use crate::circuit::{Circuit, Net, Operation};
 use crate::graph::Rational;
 
 /// What a multiple is of, and by what magnitude.

@@ -13,8 +13,8 @@ use std::ops::Deref;
 
 use rustc_hash::FxHashMap;
 
-use super::circuit::{Circuit, Net, Operation};
 use crate::budget::Budget;
+use crate::circuit::{Circuit, Net, Operation};
 
 /// What stands at a member of an operation: the power of a factor, or the coefficient of a term.
 pub(super) trait Share: Clone {
@@ -53,9 +53,9 @@ pub(super) fn share<S: Share>(circuit: &mut Circuit, budget: &mut Budget) {
     budget.renew(circuit.nets().count());
     while let Some(mut search) = Search::<S>::of(circuit, budget) {
         let is_done = search.block == WHOLE;
-        let any = search.run(circuit);
+        let found = search.run(circuit);
         search.write(circuit);
-        if is_done || !any {
+        if is_done || !found {
             break;
         }
     }
@@ -88,7 +88,7 @@ struct Search<S: Share> {
 }
 
 impl<S: Share> Search<S> {
-    /// None where the budget is spent, or nothing is in two places.
+    /// `None` if the budget is spent, or nothing is in two places.
     fn of(circuit: &Circuit, budget: &mut Budget) -> Option<Self> {
         let mut times = vec![0; circuit.nets().count()];
         let mut operations = Vec::new();
@@ -183,7 +183,7 @@ impl<S: Share> Search<S> {
 
     /// Takes out one pair after the other; whether there was any.
     fn run(&mut self, circuit: &mut Circuit) -> bool {
-        let mut any = false;
+        let mut found = false;
         while let Some((pair, places)) = self.pairs.most_frequent() {
             let (shared, changed) = S::shared(circuit, &pair);
             self.times.resize(circuit.nets().count(), 0);
@@ -193,12 +193,12 @@ impl<S: Share> Search<S> {
                     self.pairs.remove(pairs);
                     self.places[place].is_shared = true;
                 } else if !self.places[place].is_shared {
-                    any |= self.take(place, &pair, shared, changed);
+                    found |= self.take(place, &pair, shared, changed);
                     self.write_multiple(circuit, place);
                 }
             }
         }
-        any
+        found
     }
 
     fn take(&mut self, place: usize, pair: &S::Pair, shared: Net, [a, b]: [Net; 2]) -> bool {

@@ -361,7 +361,7 @@ pub fn groups(graph: &Graph, differences: &[Difference], share: f64) -> Vec<Vec<
     (1..=groups).map(group).collect()
 }
 
-/// The same numbers at every build.
+/// Pseudo-random numbers that are equal at every build.
 struct Random(u64);
 
 impl Random {

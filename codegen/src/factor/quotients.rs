@@ -3,8 +3,8 @@
 use rustc_hash::FxHashMap;
 use smallvec::{SmallVec, smallvec};
 
-use super::circuit::{Circuit, Net, Operation};
 use crate::budget::Budget;
+use crate::circuit::{Circuit, Net, Operation};
 use crate::graph::rational;
 
 /// What an operation is a product and quotient of, with exponents, by ascending handle.

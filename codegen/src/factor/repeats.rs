@@ -4,8 +4,8 @@
 use rustc_hash::{FxHashMap, FxHashSet};
 use smallvec::smallvec;
 
-use super::circuit::{Circuit, Net, Operation};
-use super::fingerprint::{
+use crate::circuit::{Circuit, Net, Operation};
+use crate::fingerprint::{
     Fingerprint, Residue, drawn, inverse, is_zero, kind_of, kind_of_table, symbol_at,
 };
 use crate::graph::{Rational, ratio};

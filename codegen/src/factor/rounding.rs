@@ -13,8 +13,8 @@ use std::fmt;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use super::bounded::Bounded;
-use super::circuit::{Circuit, Operation};
 use super::probes;
+use crate::circuit::{Circuit, Operation};
 use crate::graph::{ExprId, Function, Graph, Symbol, SymbolId};
 use crate::interpret::double_double::DoubleDouble;
 use crate::interpret::{Number, Prepared};
@@ -35,7 +35,7 @@ pub struct Written {
     pub graph: Graph,
     /// The numbers, in the order of the form, with partials as dual numbers have them.
     pub roots: Vec<ExprId>,
-    /// The same with partials in the reverse mode, which takes fewer operations.
+    /// The numbers with partials in the reverse mode, which takes fewer operations.
     pub reverse: Vec<ExprId>,
     /// Whether the author wrote sums against rounding, so that the formula stays as it is.
     pub undoes_rounding: bool,
@@ -92,7 +92,7 @@ pub struct Reference {
 struct Measured {
     at: Vec<f64>,
     bounds: Vec<Bounded>,
-    /// The same with partials in the reverse mode.
+    /// The author's numbers at a point, with partials in the reverse mode.
     reverse: Vec<Bounded>,
     exact: Vec<DoubleDouble>,
 }
@@ -112,16 +112,16 @@ impl Measured {
 
 /// The author's form, ready to be evaluated.
 struct Author {
-    /// The numbers with partials as dual numbers have them, then the same in the reverse mode.
+    /// The numbers with partials as dual numbers have them, then the numbers with partials in the reverse mode.
     both: Prepared<Bounded>,
-    /// The first of these.
+    /// Where the numbers with partials as dual numbers have them begin.
     exact: Prepared<DoubleDouble>,
     /// How many numbers there are.
     count: usize,
 }
 
 impl Author {
-    /// None where there is an integral, of which there is no code.
+    /// `None` if there is an integral, of which there is no code.
     fn of(written: &Written) -> Option<Self> {
         let Written {
             graph,

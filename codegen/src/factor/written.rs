@@ -3,9 +3,9 @@
 use num_bigint::BigInt;
 use smallvec::smallvec;
 
-use super::circuit::{Circuit, Net, Operation};
 use super::constants;
 use super::lower::digits_of;
+use crate::circuit::{Circuit, Net, Operation};
 use crate::graph::{ExprId, Graph, MOST_BITS, Node, Rational};
 use crate::interpret::Number;
 

@@ -222,7 +222,7 @@ impl Rational {
         }
     }
 
-    /// The number that a number of double precision is; None where that is not finite.
+    /// The number that a number of double precision is; `None` if that is not finite.
     pub fn of_f64(value: f64) -> Option<Self> {
         BigRational::from_float(value).map(Self::of_big)
     }

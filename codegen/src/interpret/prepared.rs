@@ -7,7 +7,7 @@ use std::sync::Arc;
 use smallvec::SmallVec;
 
 use super::{Number, raised};
-use crate::factor::circuit::{Circuit, Operation};
+use crate::circuit::{Circuit, Operation};
 use crate::graph::{ExprId, Function, Graph, Node, Rational, Table};
 
 /// Operations in order, operands before their users, over one kind of number.
@@ -69,7 +69,7 @@ impl<N: Number> Prepared<N> {
         }
     }
 
-    /// The roots of a graph, where the expressions that they need are known, operands before their users. None where an
+    /// The roots of a graph, where the expressions that they need are known, operands before their users. `None` if an
     /// integral is among them.
     pub fn of_graph(graph: &Graph, order: &[ExprId], roots: &[ExprId]) -> Option<Self> {
         let mut prepared = Self::empty(graph, order.len());
@@ -183,7 +183,7 @@ impl<N: Number> Prepared<N> {
         self.at_with(symbols, &mut Vec::new())
     }
 
-    /// The same with memory that is used again.
+    /// Evaluates at a point as [`Self::evaluate`] does, in memory that the caller keeps for the next point.
     pub fn at_with(&self, symbols: &[N], values: &mut Vec<N>) -> Vec<N> {
         values.clear();
         values.reserve(self.steps.len());

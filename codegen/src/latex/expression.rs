@@ -7,9 +7,9 @@ use syn::visit::Visit;
 use syn::{BinOp, Expr, ExprCall, ExprField, Lit, Member, Pat, Stmt, UnOp};
 
 use super::piece::{Piece, Precedence, delimited, parentheses};
-use super::symbols::{Symbols, with_subscript};
 use super::{Line, bound_names, type_name};
 use crate::parse::module::{Function, Module, ParameterKind};
+use crate::symbols::{Symbols, with_subscript};
 
 /// What the names of one function stand for.
 pub(super) struct Names<'a> {

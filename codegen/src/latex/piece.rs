@@ -1,5 +1,7 @@
 //! LaTeX text with how tightly it holds together, so that parentheses stand only where they are needed.
 
+use crate::symbols::braced;
+
 /// How tightly a text holds together, loosest first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Precedence {
@@ -126,14 +128,5 @@ pub(super) fn delimited(left: &str, text: &str, right: &str) -> String {
         format!("\\left{left}{text}\\right{right}")
     } else {
         format!("{left}{text}{right}")
-    }
-}
-
-/// `x` as it is, longer texts in braces.
-pub(super) fn braced(text: &str) -> String {
-    if text.chars().count() == 1 {
-        text.to_owned()
-    } else {
-        format!("{{{text}}}")
     }
 }

@@ -1,5 +1,5 @@
-use super::symbols::balanced;
 use crate::show;
+use crate::symbols::balanced;
 
 const TABLE: &str = r#"latex(speed = "\\Omega", delta_k = "\\Delta k", f_start = "\\Omega_s")"#;
 

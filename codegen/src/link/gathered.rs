@@ -57,7 +57,7 @@ impl Gathered {
         }
     }
 
-    /// What was gathered so far with the answer of the module that was asked, and whether there is one. None where these
+    /// What was gathered so far with the answer of the module that was asked, and whether there is one. `None` if these
     /// are other tokens.
     pub(super) fn with(tokens: TokenStream) -> Option<(Self, bool)> {
         let mut tokens = tokens.into_iter().peekable();

@@ -18,10 +18,10 @@ use super::attributes::Approximation;
 use super::literal;
 use super::module::{Function, Module, ParameterKind};
 use super::numbers;
+use super::tabulated::TableSource;
 use super::value::Value;
 use crate::diagnostics::{Diagnostics, nearest};
-use crate::graph::{ExprId, Graph, Node, Role, SymbolId};
-use crate::tables::Tables;
+use crate::graph::{ExprId, Graph, Node, Role, SymbolId, decimal};
 
 /// Names in scope; those whose value could not be read, which is reported, have none.
 type Scope = BTreeMap<String, Option<Value>>;
@@ -35,7 +35,7 @@ pub struct Reader<'m> {
     reading: &'m Module,
     /// The module in which what is read stands: names are looked up there.
     module: &'m Module,
-    tables: &'m mut Tables,
+    tables: &'m mut dyn TableSource,
     /// The graph that is written to.
     pub graph: Graph,
     /// What was wrong.
@@ -58,7 +58,7 @@ pub struct Reader<'m> {
 
 impl<'m> Reader<'m> {
     /// A reader with an empty graph.
-    pub fn new(module: &'m Module, tables: &'m mut Tables) -> Self {
+    pub fn new(module: &'m Module, tables: &'m mut dyn TableSource) -> Self {
         let mut graph = Graph::as_written();
         graph.sizes = module.sizes;
         Self {
@@ -77,7 +77,7 @@ impl<'m> Reader<'m> {
         }
     }
 
-    /// The function's result over symbols named as its parameters. None where something was reported.
+    /// The function's result over symbols named as its parameters. `None` if something was reported.
     pub fn read(&mut self, function: &Function) -> Option<Value> {
         for number in numbers::known(self.module, function) {
             let in_a_struct = number.contains('.');
@@ -294,9 +294,9 @@ impl<'m> Reader<'m> {
     fn literal(&mut self, literal: &Lit) -> Option<Value> {
         let value = match literal {
             Lit::Float(value) if matches!(value.suffix(), "" | "f64") => {
-                literal::decimal(value.base10_digits())
+                decimal(value.base10_digits())
             }
-            Lit::Int(value) if value.suffix() == "f64" => literal::decimal(value.base10_digits()),
+            Lit::Int(value) if value.suffix() == "f64" => decimal(value.base10_digits()),
             Lit::Int(value) => {
                 let hint = format!("write `{}.0`", value.base10_digits());
                 return self.unsupported(literal.span(), "a whole number literal", &hint);

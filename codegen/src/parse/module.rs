@@ -15,7 +15,7 @@ use super::place::Place;
 use super::{cycles, numbers, signature, specialise};
 use crate::diagnostics::Diagnostics;
 use crate::graph::{Domain, Sizes};
-use crate::latex::Symbols;
+use crate::symbols::Symbols;
 
 /// A module of formulas.
 #[derive(Clone, Debug)]

@@ -117,7 +117,7 @@ impl Module {
         }
     }
 
-    /// What an imported name stands for; None where no import of the name is of this kind. An import of what is not known hides
+    /// What an imported name stands for; `None` if no import of the name is of this kind. An import of what is not known hides
     /// all that is imported whole.
     fn imported(
         &self,

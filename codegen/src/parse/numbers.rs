@@ -61,7 +61,7 @@ pub(super) fn check(
     }
 }
 
-/// Why the name is no number of the function: what to write instead. None where it is one, or where its parameter can't be
+/// Why the name is no number of the function: what to write instead. `None` if it is one, or where its parameter can't be
 /// taken, which is reported.
 pub(crate) fn misfit(module: &Module, function: &Function, symbol: &str) -> Option<String> {
     let name = root(symbol);

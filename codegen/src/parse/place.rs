@@ -34,12 +34,12 @@ impl Place {
         Self { start, names }
     }
 
-    /// A path as the attribute of a module has it. None where it is generic, or of another crate.
+    /// A path as the attribute of a module has it. `None` if it is generic, or of another crate.
     pub fn of_attribute(path: &Path) -> Option<Self> {
         Self::of(path.leading_colon.is_none(), &segments(path)?)
     }
 
-    /// A path as a module's own items and bodies have it: from one module further in. None where it starts with a name, or
+    /// A path as a module's own items and bodies have it: from one module further in. `None` if it starts with a name, or
     /// leads to the module itself.
     pub fn of_body(names: &[String]) -> Option<Self> {
         let (first, rest) = names.split_first()?;

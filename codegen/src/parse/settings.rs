@@ -6,7 +6,7 @@ use super::attributes::of_module::{Link, ModuleAttribute};
 use super::module::Module;
 use crate::diagnostics::Diagnostics;
 use crate::graph::{Domain, Sizes};
-use crate::latex::Symbols;
+use crate::symbols::Symbols;
 
 /// Gives a module the settings that its attribute states, and of those that it does not state the ones of the modules that
 /// it links. Where two of these say different things of sizes or of the domain of one name, that is reported: the module

@@ -121,7 +121,7 @@ impl Value {
         }
     }
 
-    /// The same shape with other numbers, taken in order.
+    /// A value of this shape with other numbers, taken in order.
     pub fn with_numbers(&self, numbers: &mut impl Iterator<Item = ExprId>) -> Self {
         match self {
             Self::Number(old) => Self::Number(numbers.next().unwrap_or(*old)),

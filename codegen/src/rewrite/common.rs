@@ -9,7 +9,7 @@ use super::rules::parts;
 use super::{Form, changed, product, simplify};
 use crate::graph::{ExprId, Factors, Graph, Node};
 
-/// Rebuilds the roots with the common factors of every sum taken out; None where no sum has any.
+/// Rebuilds the roots with the common factors of every sum taken out; `None` if no sum has any.
 pub fn take_out(graph: &Graph, roots: &[ExprId]) -> Option<Form> {
     changed(graph, roots, factored)
 }

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::rules::{operand_of, parts, scaled};
 use super::{applied, product, simplify};
-use crate::factor::fingerprint::{Residue, near};
+use crate::fingerprint::{Residue, near};
 use crate::graph::{ExprId, Factors, Function, Graph, Node, Rational, ratio};
 
 /// √(a/b) is √(ab)/|b|: one division for it and for what else divides by b.
@@ -52,7 +52,7 @@ pub(super) fn inverse_root(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
 /// More denominators than this are not multiplied with each other: their product might leave the range of numbers.
 const MOST_DENOMINATORS: i32 = 3;
 
-/// The least common denominator of a sum's terms, and the sum times it; None where no term is a fraction.
+/// The least common denominator of a sum's terms, and the sum times it; `None` if no term is a fraction.
 fn common_denominator(graph: &mut Graph, sum: ExprId) -> Option<(Factors, ExprId)> {
     let Node::Sum(terms) = graph.node(sum).clone() else {
         return None;
@@ -204,7 +204,7 @@ pub(super) fn cancelling_fractions(graph: &mut Graph, id: ExprId) -> Option<Expr
     None
 }
 
-/// The terms by their factors; None where no term is a fraction, or where they are longer than what is looked at.
+/// The terms by their factors; `None` if no term is a fraction, or where they are longer than what is looked at.
 fn powers_of_fractions(graph: &Graph, terms: &[(ExprId, Rational)]) -> Option<Vec<Powers>> {
     let is_fraction = |(term, _): &(ExprId, Rational)| match graph.node(*term) {
         Node::Product(factors) => factors.iter().any(|(_, exponent)| *exponent < 0),

@@ -28,14 +28,14 @@ pub fn share(graph: Graph, roots: Vec<ExprId>) -> Form {
     (target, roots)
 }
 
-/// Rebuilds the roots of the graph with one square root in each product; None where no product has two. It saves roots
+/// Rebuilds the roots of the graph with one square root in each product; `None` if no product has two. It saves roots
 /// unless one of them is needed alone as well, so that it is no rule, but one of the ways among which the cheapest is
 /// chosen.
 pub fn join(graph: &Graph, roots: &[ExprId]) -> Option<Form> {
     changed(graph, roots, joined)
 }
 
-/// Rebuilds the roots of the graph with √(ab)/|b| for √(a/b); None where there is no root of a quotient. It saves a division
+/// Rebuilds the roots of the graph with √(ab)/|b| for √(a/b); `None` if there is no root of a quotient. It saves a division
 /// beside others by b, but ab may leave the range of numbers where a/b does not.
 pub fn without_quotients(graph: &Graph, roots: &[ExprId]) -> Option<Form> {
     changed(graph, roots, root_of_quotient)
@@ -85,7 +85,7 @@ fn differing_by_squares(graph: &Graph, roots: &[ExprId]) -> HashSet<ExprId> {
 type First = (Rational, Factors);
 
 /// √radicand as a multiple of the first root that differs from it by a square: of √(x/y), √(y/x) is the multiple |y/x|, so
-/// that x·y, which may leave the range of numbers, is not computed. None where the two rational factors do not differ by the
+/// that x·y, which may leave the range of numbers, is not computed. `None` if the two rational factors do not differ by the
 /// square of a rational number.
 fn multiple_of_shared(
     graph: &mut Graph,

@@ -6,7 +6,7 @@
 use std::collections::BTreeSet;
 
 use super::{Stage, split, stages};
-use crate::factor::circuit::{Circuit, Net, Operation};
+use crate::circuit::{Circuit, Net, Operation};
 use crate::graph::{Rational, SymbolId};
 
 /// The circuit with its operations gathered.

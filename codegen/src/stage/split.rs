@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::{Stage, reachable, stages};
-use crate::factor::circuit::{Circuit, Factors, Net, Operation, Terms};
+use crate::circuit::{Circuit, Factors, Net, Operation, Terms};
 use crate::graph::{Graph, SymbolId};
 
 /// Three circuits in the place of one: what stands still, what runs along the inner parameters, and what is left for the

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::{Stage, split, stages};
-use crate::factor::circuit::{Circuit, Net, Operation};
+use crate::circuit::{Circuit, Net, Operation};
 use crate::graph::{Rational, SymbolId};
 
 /// Sums within sums at the points as one sum, so that a factor of the outer one comes to all terms.

@@ -5,10 +5,11 @@ pub mod bounded;
 pub mod evaluator;
 pub mod formulas;
 
+use codegen::circuit::Circuit;
 use codegen::diagnostics::Diagnostics;
 use codegen::emit::scalar::Form;
 use codegen::expand::{Expansion, Formula, Generated, derive, derive_written};
-use codegen::factor::{self, circuit::Circuit};
+use codegen::factor;
 use codegen::graph::{Sizes, SymbolId};
 use codegen::parse::body::Reader;
 use codegen::parse::module::Module;

@@ -1,8 +1,8 @@
 //! A program as written, on a tape with its derivatives, and all code that is generated from it.
 
+use codegen::circuit::Circuit;
 use codegen::emit::scalar::Form;
 use codegen::expand::{Expansion, Generated};
-use codegen::factor::circuit::Circuit;
 use codegen::graph::{Graph, SymbolId};
 use codegen::interpret::evaluate_circuit;
 use codegen::parse::attributes::{StageRequest, Target};

@@ -1,7 +1,7 @@
 //! The two kinds of operations that pairs are looked for in: products and sums.
 
 use super::Share;
-use crate::factor::circuit::{Circuit, Factors, Net, Operation, Terms};
+use crate::circuit::{Circuit, Factors, Net, Operation, Terms};
 use crate::graph::{Rational, rational};
 
 /// Factors with powers; a pair is a product of two.

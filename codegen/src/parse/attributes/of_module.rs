@@ -56,7 +56,7 @@ impl ModuleAttribute {
                     match word {
                         Expr::Call(call) if is(&call.func, "domain") => {
                             let conditions = call.args.iter();
-                            let read_all = conditions.filter_map(|word| domain(word, diagnostics));
+                            let read_all = conditions.filter_map(|word| domain::read(word, diagnostics));
                             read.domain.extend(read_all);
                         }
                         Expr::Call(call) if is(&call.func, "with") => {

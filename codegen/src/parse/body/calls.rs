@@ -12,7 +12,6 @@ use crate::graph::Role;
 use crate::parse::module::{Function, ParameterKind};
 use crate::parse::names::{Callee, Kind, Miss, names_of};
 use crate::parse::value::Value;
-use crate::tables::Tables;
 
 const WHERE_FORMULAS_ARE: &str =
     "formulas call formulas of their own module, and those of modules that it links by `with(…)`";
@@ -200,7 +199,7 @@ impl<'m> Reader<'m> {
         };
         // A table that could not be made is reported where its function stands.
         let (reading, home) = (self.reading, self.module);
-        let table = self.tables.get(reading, home, function, approximation);
+        let table = self.tables.table(reading, home, function, approximation);
         self.linked_mistake |= table.is_none() && home.key != reading.key;
         let table = table?.clone();
         let position = self
@@ -224,9 +223,9 @@ impl<'m> Reader<'m> {
     /// arguments don't suit is reported here.
     fn explain_failed_call(&mut self, function: &Function, reasons: &Diagnostics, span: Span) {
         let linked = self.module.key != self.reading.key;
-        let mut sketched = Tables::sketched();
+        let mut sketched = self.tables.sketched_apart();
         let tables = if linked {
-            &mut sketched
+            sketched.as_mut()
         } else {
             &mut *self.tables
         };

@@ -3,9 +3,9 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
-use super::piecewise::PiecewisePolynomial;
+use super::literal::float;
+use crate::approximate::piecewise::PiecewisePolynomial;
 use crate::cost::Cost;
-use crate::emit::literal::float;
 
 /// Of so many pieces the numbers are chosen in all rows of a pack at once, if it has eight; else each row looks up its own.
 /// It is `lanes::MOST_PIECES`.
@@ -218,10 +218,10 @@ fn lookup(inner: &[f64]) -> TokenStream {
 
 #[cfg(test)]
 mod tests {
-    use super::super::piecewise::PiecewisePolynomial;
+    use crate::approximate::piecewise::PiecewisePolynomial;
     use quote::{format_ident, quote};
 
-    include!("emit/example.rs");
+    include!("polynomial/example.rs");
 
     /// Values that take a sign, an exponent, an exact integer and all 17 digits.
     fn example() -> PiecewisePolynomial {
@@ -246,7 +246,7 @@ mod tests {
             + &source(&single, "example_line");
         assert_eq!(
             emitted,
-            include_str!("emit/example.rs"),
+            include_str!("polynomial/example.rs"),
             "emitted:\n{emitted}"
         );
     }

@@ -5,7 +5,6 @@ use std::collections::BTreeMap;
 use syn::spanned::Spanned;
 use syn::{Expr, Lit};
 
-use super::piece::braced;
 use crate::diagnostics::Diagnostics;
 
 /// The letters that LaTeX knows by their names; capitals likewise.
@@ -100,7 +99,7 @@ fn text(expression: &Expr) -> Option<String> {
 }
 
 /// Whether every brace is closed.
-pub(super) fn balanced(latex: &str) -> bool {
+pub(crate) fn balanced(latex: &str) -> bool {
     let depth = latex
         .chars()
         .try_fold(0_usize, |depth, character| match character {
@@ -176,7 +175,7 @@ fn letters_and_digits(part: &str) -> impl Iterator<Item = &str> {
 }
 
 /// A symbol with an index behind those that it has.
-pub(super) fn with_subscript(base: &str, index: &str) -> String {
+pub(crate) fn with_subscript(base: &str, index: &str) -> String {
     let indexed = base.rsplit_once('_').filter(|(head, _)| balanced(head));
     match (index, indexed) {
         ("", _) => base.to_owned(),
@@ -188,5 +187,14 @@ pub(super) fn with_subscript(base: &str, index: &str) -> String {
             format!("{head}_{{{last},{index}}}")
         }
         (_, None) => format!("{base}_{}", braced(index)),
+    }
+}
+
+/// `x` as it is, longer texts in braces.
+pub(crate) fn braced(text: &str) -> String {
+    if text.chars().count() == 1 {
+        text.to_owned()
+    } else {
+        format!("{{{text}}}")
     }
 }

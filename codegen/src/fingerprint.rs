@@ -6,7 +6,7 @@
 //! number near one, is a small number in either field, let alone the same one in both. A constant of which a prime divides a
 //! part, and a divisor that vanishes in one field alone, have a value in that field that is drawn as a function's is. The points
 //! are fixed, so that the same formulas always give the same code; what was taken for equal is confirmed where the
-//! finished form is held against the author's ([`rounding`](super::rounding)).
+//! finished form is held against the author's ([`rounding`](crate::factor::rounding)).
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -278,7 +278,7 @@ pub fn node_at(
     node_with(graph, id, point, &value, inverse)
 }
 
-/// The same from the inverses of its operands too.
+/// The value of a node at a point, from the values of its operands and their inverses.
 fn node_with(
     graph: &Graph,
     id: ExprId,

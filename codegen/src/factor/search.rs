@@ -1,0 +1,97 @@
+//! The search for the cheapest circuit: which forms are taken apart in which orders of extraction.
+
+use super::extract::{self, ORDERS, Step};
+use super::passes::Passes;
+use crate::budget::Budget;
+use crate::circuit::Circuit;
+use crate::parallel::on_all_cores;
+
+/// Works out forms in the orders of extraction: the most promising forms in all orders first, the others only where those
+/// lose digits.
+///
+/// Which form is best shows in one or two orders; trying them all on every form takes three to six times as long and has
+/// found nothing cheaper in any formula that was looked at.
+pub(super) struct Search {
+    /// The forms with what the first orders made of them, the dearest first.
+    forms: Vec<(Circuit, Vec<Circuit>)>,
+    /// The orders that are left to be tried.
+    rest: Vec<&'static [Step]>,
+    passes: Passes,
+}
+
+/// Forms that are worked out together.
+const FORMS: usize = 2;
+
+/// The places of the orders that show which form is best.
+const FIRST_ORDERS: [usize; 2] = [1, 2];
+
+/// The size beyond which a circuit is large, the order that then shows it, and the others that are tried: for large
+/// circuits one of these has been the best.
+const LARGE: usize = 240;
+const FIRST_OF_LARGE: [usize; 1] = [4];
+const REST_OF_LARGE: [usize; 3] = [1, 7, 8];
+
+/// The size beyond which one form and that one order have to do: the others would take three times as long as all the rest.
+pub(super) const HUGE: usize = 2_000;
+
+impl Search {
+    pub(super) fn new(forms: Vec<Circuit>, passes: Passes) -> Self {
+        let size = forms.iter().map(|form| form.nets().count()).max();
+        let size = size.unwrap_or(0);
+        let all = 0..ORDERS.len();
+        let (first, rest): (&[usize], Vec<usize>) = if size > HUGE {
+            (&FIRST_OF_LARGE, Vec::new())
+        } else if size > LARGE {
+            (&FIRST_OF_LARGE, REST_OF_LARGE.to_vec())
+        } else {
+            let rest = all.filter(|place| !FIRST_ORDERS.contains(place));
+            (&FIRST_ORDERS, rest.collect())
+        };
+        let orders = |places: &[usize]| places.iter().map(|place| ORDERS[*place]).collect();
+        let (first, rest): (Vec<_>, Vec<_>) = (orders(first), orders(&rest));
+        let mut tried = extracted(&forms, &first, passes).into_iter();
+        let mut forms: Vec<_> = forms
+            .into_iter()
+            .map(|form| (form, tried.by_ref().take(first.len()).collect::<Vec<_>>()))
+            .collect();
+        let least = |(_, tried): &(Circuit, Vec<Circuit>)| {
+            let weights = tried.iter().map(|circuit| circuit.cost().weight());
+            weights.min()
+        };
+        // The first of equals comes first.
+        forms.reverse();
+        forms.sort_by_key(|form| std::cmp::Reverse(least(form)));
+        Self {
+            forms,
+            rest,
+            passes,
+        }
+    }
+}
+
+impl Iterator for Search {
+    type Item = Vec<Circuit>;
+
+    fn next(&mut self) -> Option<Vec<Circuit>> {
+        let kept = self.forms.len().saturating_sub(FORMS);
+        let (forms, mut tried): (Vec<_>, Vec<_>) = self.forms.drain(kept..).rev().unzip();
+        if forms.is_empty() {
+            return None;
+        }
+        tried.push(extracted(&forms, &self.rest, self.passes));
+        Some(tried.into_iter().flatten().collect())
+    }
+}
+
+/// Every circuit in every order of extraction, one after the other.
+fn extracted(lowered: &[Circuit], orders: &[&[Step]], passes: Passes) -> Vec<Circuit> {
+    let ways = lowered
+        .iter()
+        .flat_map(|circuit| orders.iter().map(move |order| (circuit, *order)));
+    let ways: Vec<_> = ways.collect();
+    on_all_cores(&ways, |(circuit, order)| {
+        let mut circuit = Circuit::clone(circuit);
+        extract::extract_with(&mut circuit, order, passes, &mut Budget::default());
+        circuit
+    })
+}
