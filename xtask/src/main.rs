@@ -8,12 +8,14 @@
 )]
 
 mod cargo;
+mod features;
 mod house;
 mod instructions;
 mod peers;
 mod pictures;
 mod readers;
 mod readme;
+mod semver;
 mod step;
 mod tools;
 
@@ -22,13 +24,13 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use step::{Choice, Missing, Step};
-use tools::{PYTHON, VALGRIND};
+use tools::{PYTHON, SEMVER_CHECKS, VALGRIND, WASM};
 
 /// What a step answers: why it failed.
 type Outcome = Result<(), String>;
 
 /// All parts, in the order in which `test` runs them.
-static STEPS: [Step; 8] = [
+static STEPS: [Step; 11] = [
     Step {
         name: "fmt",
         description: "cargo fmt --all --check",
@@ -58,6 +60,24 @@ static STEPS: [Step; 8] = [
         description: "cargo test --workspace: unit, integration and documentation tests",
         needs: None,
         run: cargo::tests,
+    },
+    Step {
+        name: "features",
+        description: "tests of rotor-core without features, where scans have one thread, and with all of them",
+        needs: None,
+        run: features::check,
+    },
+    Step {
+        name: "portable",
+        description: "rotor-core without features built for wasm32-unknown-unknown (needs that target)",
+        needs: Some(&WASM),
+        run: features::wasm,
+    },
+    Step {
+        name: "semver",
+        description: "public items of the libraries against the newest release, if any (needs cargo-semver-checks)",
+        needs: Some(&SEMVER_CHECKS),
+        run: semver::check,
     },
     Step {
         name: "readme",

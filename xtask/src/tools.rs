@@ -3,6 +3,9 @@
 use std::path::Path;
 use std::process::{Command, Stdio};
 
+use crate::cargo::cargo;
+use crate::semver;
+
 /// Something that a step needs and that a Rust toolchain does not bring.
 #[derive(Debug)]
 pub(crate) struct Tool {
@@ -27,6 +30,34 @@ pub(crate) static VALGRIND: Tool = Tool {
     name: "valgrind",
     how: "install valgrind (on Debian and Ubuntu: apt install valgrind)",
     is_there: |_| answers(Command::new("valgrind").arg("--version")),
+};
+
+/// The processor that `portable` builds for, with neither threads nor files.
+pub(crate) const WASM_TARGET: &str = "wasm32-unknown-unknown";
+
+/// The standard library for that processor, for `portable`.
+pub(crate) static WASM: Tool = Tool {
+    name: "Rust's standard library for wasm32-unknown-unknown",
+    how: "rustup target add wasm32-unknown-unknown",
+    is_there: |_| {
+        let rustc = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
+        let mut folder = Command::new(rustc);
+        folder.args(["--print", "target-libdir", "--target", WASM_TARGET]);
+        let output = folder.stdin(Stdio::null()).output();
+        // rustc names the folder whether it is there or not.
+        output
+            .is_ok_and(|output| Path::new(String::from_utf8_lossy(&output.stdout).trim()).is_dir())
+    },
+};
+
+/// Compares public items for `semver`. Without a release to compare with it is not needed.
+pub(crate) static SEMVER_CHECKS: Tool = Tool {
+    name: "cargo-semver-checks",
+    how: "cargo install --locked cargo-semver-checks",
+    is_there: |root| {
+        semver::baseline(root).is_none()
+            || answers(&mut cargo(root, &["semver-checks", "--version"]))
+    },
 };
 
 /// Whether the command can be started and ends well; nobody sees what it prints.
