@@ -9,7 +9,7 @@
 //! so two leave less than $2^{-54}$ of that of $y$. Rounding adds to it: each number has $2^{-53}$ of its own, and $g$ and
 //! $h$ have half of what sets $g/h$ apart from $2x$. Both are within $3 \cdot 2^{-53}$ in the end, $g$ so within 3 units
 //! in the last place (ulp). The difference $x - g^2$ has few digits more than fit and is off by $2^{-53}$ of itself at
-//! most. What is rounded at last is then off by less than $3\,\mathrm{ulp} \cdot 2^{-50}$, below $2^{-48}\,\mathrm{ulp}$,
+//! most. What is rounded at last is then off by less than $3 \cdot 2^{-50}$ ulp, below $2^{-48}$ ulp,
 //! and is rounded as the root is, unless the root is as near as that to the middle of two numbers.
 //!
 //! Let that middle be $m/2$ ulp, $m$ odd and below $2^{54}$, and $x = X\,\mathrm{ulp}^2$. The root is

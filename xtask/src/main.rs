@@ -11,6 +11,7 @@ mod cargo;
 mod features;
 mod house;
 mod instructions;
+mod katex;
 mod peers;
 mod pictures;
 mod readers;
@@ -51,7 +52,7 @@ static STEPS: [Step; 11] = [
     },
     Step {
         name: "doc",
-        description: "cargo doc --no-deps --workspace, with warnings denied",
+        description: "cargo doc --no-deps --workspace, with warnings denied and formulas shown by KaTeX",
         needs: None,
         run: cargo::doc,
     },
