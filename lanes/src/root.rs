@@ -1,4 +1,4 @@
-//! Square roots by multiplications, for code whose divider is busy while the multipliers wait.
+//! Square roots by multiplications, for code in which the divider is busy and the multipliers are not.
 //!
 //! The divider takes some 17 cycles for the roots of a pack of 8 and does nothing else meanwhile. On AVX-512 there is an
 //! estimate $y$ of $1/\sqrt x$ within $2^{-14}$, and two steps of Goldschmidt bring $g = xy$ and $h = y/2$ near
@@ -20,7 +20,7 @@
 use fearless_simd::SimdBase;
 use fearless_simd::{Simd, SimdFloat};
 
-/// Square roots with the bits of [`SimdFloat::sqrt`]; without the divider where the level has what it takes.
+/// Takes square roots with the bits of [`SimdFloat::sqrt`], on AVX-512 without the divider.
 #[inline(always)]
 pub(crate) fn by_multiplication<S: Simd>(simd: S, x: S::f64s) -> S::f64s {
     #[cfg(target_arch = "x86_64")]
