@@ -39,6 +39,7 @@
 extern crate self as lanes;
 
 pub mod chain;
+mod fold;
 mod kernel;
 mod level;
 mod pack;
@@ -47,9 +48,8 @@ mod root;
 mod trigonometry;
 
 pub use fearless_simd::Simd;
-pub use kernel::{
-    ALL, ColumnLengthError, Consumer, Kernel, LONGEST, LengthError, fold, once, rows, store,
-};
+pub use fold::{Consumer, fold};
+pub use kernel::{ALL, ColumnLengthError, Kernel, LONGEST, LengthError, once, rows, store};
 pub use level::{Level, UnknownLevel};
 pub use pack::Pack;
 pub use pieces::{MOST_PIECES, Pieces};
