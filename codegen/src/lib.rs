@@ -1,9 +1,45 @@
-//! Closed-form formulas in, specialised Rust out.
+//! Generates fast Rust from formulas: values in few operations, exact derivatives, loops over columns.
 //!
 //! A formula is written once, as a plain Rust function over `f64` that reads like the paper it is from. This crate reads
 //! its source, takes its derivatives, looks for the fewest operations that give all that is asked for together, and
-//! writes straight-line Rust. It is a library on tokens: it does no input or output, and the same source gives the same
-//! bytes. The attribute macro of the crate `rotor-macros` is its door; [`show`] is the door for tools.
+//! writes straight-line Rust.
+//!
+//! To **use** it, put the attribute `rotor_macros::symbolic` on a module of formulas; that crate calls this one. To **look at**
+//! what comes of a formula, as Rust, in LaTeX or as a picture of its operations, call [`show`]:
+//!
+//! ```
+//! use codegen::show;
+//!
+//! let source = r#"
+//!     #[symbolic(latex(radius = "r"))]
+//!     mod cone {
+//!         /// Length of the slanted side.
+//!         pub fn side(radius: f64, h: f64) -> f64 {
+//!             (radius.powi(2) + h.powi(2)).sqrt()
+//!         }
+//!
+//!         /// Lateral surface.
+//!         #[generate(gradient(radius, h))]
+//!         pub fn surface(radius: f64, h: f64) -> f64 {
+//!             std::f64::consts::PI * radius * side(radius, h)
+//!         }
+//!     }
+//! "#;
+//! let mut cone = show::module(source)?;
+//! assert_eq!(show::latex(&cone, "side")?.trim(), r"\mathrm{side}(r, h) = \sqrt{r^2 + h^2}");
+//!
+//! let rust = show::rust(&mut cone, "surface")?;
+//! assert!(rust.contains("pub fn gradient(radius: f64, h: f64) -> (f64, [f64; 2])"), "{rust}");
+//!
+//! // The surface and both its slopes take one root.
+//! let forms = show::forms(&mut cone, "surface")?;
+//! assert!(forms.iter().all(|form| form.circuit.cost().sqrt == 1));
+//! # Ok::<(), show::ShowError>(())
+//! ```
+//!
+//! It is a library on tokens: it does no input or output, and equal sources give equal bytes. What follows is its
+//! reference: [the language](#the-language), [formulas in several files](#formulas-in-several-files),
+//! [what comes out](#what-comes-out), [its limits](#limits), and the [modules](#modules-in-the-order-in-which-a-formula-passes).
 //!
 //! # The language
 //!
@@ -98,35 +134,6 @@
 //! points. Columns and stages run on the crate `lanes`, which the crate of the formulas depends on. What is made from a
 //! function under `#[cfg(…)]` is under it, too.
 //!
-//! ```
-//! use codegen::show;
-//!
-//! let source = r#"
-//!     #[symbolic(latex(radius = "r"))]
-//!     mod cone {
-//!         /// Length of the slanted side.
-//!         pub fn side(radius: f64, h: f64) -> f64 {
-//!             (radius.powi(2) + h.powi(2)).sqrt()
-//!         }
-//!
-//!         /// Lateral surface.
-//!         #[generate(gradient(radius, h))]
-//!         pub fn surface(radius: f64, h: f64) -> f64 {
-//!             std::f64::consts::PI * radius * side(radius, h)
-//!         }
-//!     }
-//! "#;
-//! let mut cone = show::module(source)?;
-//! assert_eq!(show::latex(&cone, "side")?.trim(), r"\mathrm{side}(r, h) = \sqrt{r^2 + h^2}");
-//!
-//! let rust = show::rust(&mut cone, "surface")?;
-//! assert!(rust.contains("pub fn gradient(radius: f64, h: f64) -> (f64, [f64; 2])"), "{rust}");
-//!
-//! // The surface and both its slopes take one root.
-//! let forms = show::forms(&mut cone, "surface")?;
-//! assert!(forms.iter().all(|form| form.circuit.cost().sqrt == 1));
-//! # Ok::<(), show::ShowError>(())
-//! ```
 //!
 //! # Two representations
 //!

@@ -1,7 +1,7 @@
-//! Generated bodies and the loops over them.
+//! The loops that run a kernel over the rows of columns.
 //!
-//! Loops here count columns: the adapters of iterators and of arrays are functions of their own, which are not always put
-//! into the body where a crate is compiled in several parts.
+//! They reach columns by an index: adapters of iterators and arrays are functions of their own, which the compiler does not
+//! always inline where it compiles a crate in several parts.
 #![allow(
     clippy::needless_range_loop,
     reason = "iterators over arrays are not always inlined, see above"
@@ -13,9 +13,10 @@ use thiserror::Error;
 use crate::level::{self, Body, Level};
 use crate::pack::Pack;
 
-/// A generated body: `RESULTS` numbers of a row, from `FIXED` numbers that all rows share and `ALONG` of its own.
+/// A formula over packs of rows: `RESULTS` numbers of each row, from `FIXED` numbers that all rows share and `ALONG` numbers
+/// of the row itself.
 pub trait Kernel<const FIXED: usize, const ALONG: usize, const RESULTS: usize> {
-    /// The results of a pack of rows.
+    /// Computes the results of the rows in a pack.
     fn evaluate<S: Simd>(
         simd: S,
         fixed: [Pack<S>; FIXED],
@@ -23,22 +24,22 @@ pub trait Kernel<const FIXED: usize, const ALONG: usize, const RESULTS: usize> {
     ) -> [Pack<S>; RESULTS];
 }
 
-/// The longest pack of all levels.
+/// How many numbers the longest pack holds: that of AVX-512.
 pub const LONGEST: usize = 8;
 
-/// All results of a kernel are wanted.
+/// Asks [`store`] for all results of a kernel.
 pub const ALL: u64 = u64::MAX;
 
-/// Whether the result at a position is among those wanted: bit 0 is the first.
+/// Whether the result at a position is asked for: bit 0 of `wanted` stands for the first.
 const fn is_wanted(wanted: u64, position: usize) -> bool {
     wanted >> position & 1 == 1
 }
 
-/// A column that is not as long as the others.
+/// Says that a column is not as long as the others.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[error("column {column} has {length} rows; it must have {expected}, as the first one has")]
 pub struct LengthError {
-    /// Its place: the columns along the rows, then the results.
+    /// Which column it is, from 0: the inputs are counted first, then the results.
     pub column: usize,
     /// Its length.
     pub length: usize,
@@ -46,11 +47,11 @@ pub struct LengthError {
     pub expected: usize,
 }
 
-/// A column that is not as long as the results: [`LengthError`] with the column's name.
+/// Says by name that a column is not as long as the results.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[error("column {column} has {length} rows; it must have {expected}, as the results have")]
 pub struct ColumnLengthError {
-    /// The column.
+    /// The column's name.
     pub column: &'static str,
     /// Its length.
     pub length: usize,
@@ -59,7 +60,7 @@ pub struct ColumnLengthError {
 }
 
 impl ColumnLengthError {
-    /// The error with the name that the column at its place has.
+    /// Gives the column of an error the name that `columns` has at its place.
     pub fn of(error: LengthError, columns: &[&'static str]) -> Self {
         let LengthError {
             column,
@@ -75,7 +76,8 @@ impl ColumnLengthError {
     }
 }
 
-fn check<'a>(
+/// Refuses a column that is not of the expected length.
+pub(crate) fn check<'a>(
     lengths: impl Iterator<Item = (usize, usize)> + 'a,
     expected: usize,
 ) -> Result<(), LengthError> {
@@ -91,9 +93,9 @@ fn check<'a>(
     Ok(())
 }
 
-// What follows is the same for all kernels, and is compiled once for each number of columns.
+// The functions from here to `slices_mut` do not know the kernel, so that they are compiled once for each number of columns.
 
-/// How many rows there are: none where no result is wanted.
+/// Counts the rows: none where no result is asked for.
 fn rows_of<const ALONG: usize, const RESULTS: usize>(
     wanted: u64,
     along: &[&[f64]; ALONG],
@@ -110,9 +112,9 @@ fn rows_of<const ALONG: usize, const RESULTS: usize>(
     Ok(rows)
 }
 
-/// The rows from `first` on, fewer than a pack may have; the last number stands in those after it.
+/// Copies the rows from `first` on, which are fewer than a pack holds, and repeats the last one until the pack is full.
 #[inline(never)]
-fn lengthened<const COLUMNS: usize>(
+pub(crate) fn lengthened<const COLUMNS: usize>(
     columns: &[&[f64]; COLUMNS],
     first: usize,
 ) -> [[f64; LONGEST]; COLUMNS] {
@@ -125,7 +127,7 @@ fn lengthened<const COLUMNS: usize>(
     })
 }
 
-/// Copies the first rows of those results that are wanted to where they belong.
+/// Copies the first rows of the results that are asked for to their columns.
 #[inline(never)]
 fn shortened<const RESULTS: usize>(
     wanted: u64,
@@ -140,7 +142,9 @@ fn shortened<const RESULTS: usize>(
     }
 }
 
-fn slices<const COLUMNS: usize>(columns: &[[f64; LONGEST]; COLUMNS]) -> [&[f64]; COLUMNS] {
+pub(crate) fn slices<const COLUMNS: usize>(
+    columns: &[[f64; LONGEST]; COLUMNS],
+) -> [&[f64]; COLUMNS] {
     columns.each_ref().map(|column| column.as_slice())
 }
 
@@ -150,10 +154,31 @@ fn slices_mut<const COLUMNS: usize>(
     columns.each_mut().map(|column| column.as_mut_slice())
 }
 
-/// Evaluates a kernel for every row and writes the results.
+/// Evaluates a kernel for every row and writes the results to columns.
 ///
-/// `WANTED` says which results are asked for, a bit each ([`ALL`] for all of them); those that are not are left alone and
-/// not computed, and their slices may be empty. There is nothing to do where `RESULTS` is 0 or no result is wanted.
+/// `WANTED` says which results are asked for, a bit each, the lowest for the first ([`ALL`] for all of them). The others are
+/// not computed; their slices are left as they are and may be empty.
+///
+/// ```
+/// use lanes::{Kernel, Level, LengthError, Pack, Simd, store};
+///
+/// /// Sum and difference of a number of the row and one that all rows share.
+/// struct SumAndDifference;
+///
+/// impl Kernel<1, 1, 2> for SumAndDifference {
+///     #[inline(always)]
+///     fn evaluate<S: Simd>(_: S, [shared]: [Pack<S>; 1], [x]: [Pack<S>; 1]) -> [Pack<S>; 2] {
+///         [x + shared, x - shared]
+///     }
+/// }
+///
+/// const DIFFERENCE: u64 = 0b10;
+/// let mut differences = [0.0; 3];
+/// let results = [&mut [][..], &mut differences];
+/// store::<SumAndDifference, DIFFERENCE, 1, 1, 2>(Level::best(), &[1.0], [&[5.0, 6.0, 7.0]], results)?;
+/// assert_eq!(differences, [4.0, 5.0, 6.0]);
+/// # Ok::<(), LengthError>(())
+/// ```
 ///
 /// # Errors
 /// Columns of different lengths.
@@ -175,7 +200,7 @@ where
     Ok(())
 }
 
-/// Evaluates a kernel for one row: the results that [`store`] gives for it, without columns around them.
+/// Evaluates a kernel for one row. The results have the bits that [`store`] gives that row.
 pub fn once<K, const FIXED: usize, const ALONG: usize, const RESULTS: usize>(
     fixed: &[f64; FIXED],
     along: &[f64; ALONG],
@@ -189,11 +214,11 @@ where
         along,
         kernel,
     };
-    // One row gains nothing by wider packs, and has the same bits in each.
+    // Wider packs would make one row no faster, and its bits do not depend on them.
     level::baseline(row)
 }
 
-/// One row, in all rows of a pack.
+/// The evaluation of one row, whose numbers are repeated in all rows of a pack.
 struct Row<'a, K, const FIXED: usize, const ALONG: usize, const RESULTS: usize> {
     fixed: &'a [f64; FIXED],
     along: &'a [f64; ALONG],
@@ -218,7 +243,7 @@ where
     }
 }
 
-/// Evaluates a kernel that has no fixed numbers for every row, on the [best level](Level::best), and writes all results.
+/// Evaluates a kernel that has no shared numbers for every row, on the [best level](Level::best), and writes all results.
 ///
 /// # Errors
 /// Columns of different lengths.
@@ -232,6 +257,7 @@ where
     store::<K, ALL, 0, ALONG, RESULTS>(Level::best(), &[], along, results)
 }
 
+/// The loop of [`store`].
 struct Store<'a, K, const WANTED: u64, const FIXED: usize, const ALONG: usize, const RESULTS: usize>
 {
     rows: usize,
@@ -246,7 +272,7 @@ impl<'a, K, const WANTED: u64, const FIXED: usize, const ALONG: usize, const RES
 where
     K: Kernel<FIXED, ALONG, RESULTS>,
 {
-    /// Creates the loop over columns of one length, over no rows where no result is wanted.
+    /// Creates the loop after a look at the columns' lengths.
     fn new(
         fixed: &'a [f64; FIXED],
         along: [&'a [f64]; ALONG],
@@ -261,7 +287,7 @@ where
         })
     }
 
-    /// Evaluates fewer rows than a pack may have, in columns that are lengthened by their last number.
+    /// Evaluates rows that are too few for a pack: in copies of the columns in which the last row is repeated.
     fn run_lengthened(self, level: Level) {
         let along = lengthened(&self.along, 0);
         let mut results = [[0.0; LONGEST]; RESULTS];
@@ -276,7 +302,7 @@ where
         shortened(WANTED, self.results, &results, self.rows);
     }
 
-    /// All rows, which are as many as a pack has at least.
+    /// Evaluates all rows, of which there are enough for a pack.
     #[inline(always)]
     fn write<S: Simd>(self, simd: S) {
         let fixed = splats(simd, self.fixed);
@@ -284,7 +310,7 @@ where
         let last = self.rows.saturating_sub(length);
         let mut row = 0;
         loop {
-            // Evaluated at one place only: the body may be thousands of instructions.
+            // The one call of the kernel in this loop: each would be a copy of what may be thousands of instructions.
             let values = K::evaluate(simd, fixed, packs(simd, &self.along, row));
             for position in 0..RESULTS {
                 if is_wanted(WANTED, position) {
@@ -294,7 +320,7 @@ where
             if row >= last {
                 break;
             }
-            // The last pack may overlap with the one before: both write the same.
+            // The last pack may overlap with the one before it. In the rows of both they write the same numbers.
             row = (row + length).min(last);
         }
     }
@@ -313,9 +339,12 @@ where
     }
 }
 
-/// Every number in all rows of a pack.
+/// Makes a pack of each number, which stands in all its rows.
 #[inline(always)]
-fn splats<S: Simd, const FIXED: usize>(simd: S, fixed: &[f64; FIXED]) -> [Pack<S>; FIXED] {
+pub(crate) fn splats<S: Simd, const FIXED: usize>(
+    simd: S,
+    fixed: &[f64; FIXED],
+) -> [Pack<S>; FIXED] {
     let mut packs = [Pack::splat(simd, 0.0); FIXED];
     for place in 0..FIXED {
         packs[place] = Pack::splat(simd, fixed[place]);
@@ -323,9 +352,9 @@ fn splats<S: Simd, const FIXED: usize>(simd: S, fixed: &[f64; FIXED]) -> [Pack<S
     packs
 }
 
-/// The numbers of the rows from `row` on, of each column.
+/// Loads a pack of each column, from `row` on.
 #[inline(always)]
-fn packs<S: Simd, const ALONG: usize>(
+pub(crate) fn packs<S: Simd, const ALONG: usize>(
     simd: S,
     along: &[&[f64]; ALONG],
     row: usize,
@@ -335,100 +364,4 @@ fn packs<S: Simd, const ALONG: usize>(
         packs[column] = Pack::load(simd, &along[column][row..row + Pack::<S>::LENGTH]);
     }
     packs
-}
-
-/// What takes the results of a kernel where they arise, without an output array.
-pub trait Consumer<const RESULTS: usize> {
-    /// What it keeps while it runs, in packs.
-    type Lanes<S: Simd>;
-    /// What it gives in the end.
-    type Output;
-
-    /// Before the first row.
-    fn begin<S: Simd>(&self, simd: S) -> Self::Lanes<S>;
-
-    /// Takes the results of `rows` rows from `first` on; the packs hold more where these are the last.
-    fn take<S: Simd>(
-        &mut self,
-        lanes: &mut Self::Lanes<S>,
-        first: usize,
-        rows: usize,
-        results: &[Pack<S>; RESULTS],
-    );
-
-    /// After the last row.
-    fn end<S: Simd>(&self, lanes: Self::Lanes<S>) -> Self::Output;
-}
-
-/// Evaluates a kernel for every row and lets a consumer take the results; those that it does not look at are not computed.
-///
-/// # Errors
-/// Columns of different lengths.
-pub fn fold<K, C, const FIXED: usize, const ALONG: usize, const RESULTS: usize>(
-    level: Level,
-    fixed: &[f64; FIXED],
-    along: [&[f64]; ALONG],
-    consumer: &mut C,
-) -> Result<C::Output, LengthError>
-where
-    K: Kernel<FIXED, ALONG, RESULTS>,
-    C: Consumer<RESULTS>,
-{
-    let rows = along.first().map_or(0, |column| column.len());
-    check(along.iter().map(|column| column.len()).enumerate(), rows)?;
-    let fold = Fold::<'_, K, C, FIXED, ALONG, RESULTS> {
-        rows,
-        fixed,
-        along,
-        consumer,
-        kernel: std::marker::PhantomData,
-    };
-    Ok(level::run(level, fold))
-}
-
-struct Fold<'a, K, C, const FIXED: usize, const ALONG: usize, const RESULTS: usize> {
-    rows: usize,
-    fixed: &'a [f64; FIXED],
-    along: [&'a [f64]; ALONG],
-    consumer: &'a mut C,
-    kernel: std::marker::PhantomData<K>,
-}
-
-impl<K, C, const FIXED: usize, const ALONG: usize, const RESULTS: usize> Body
-    for Fold<'_, K, C, FIXED, ALONG, RESULTS>
-where
-    K: Kernel<FIXED, ALONG, RESULTS>,
-    C: Consumer<RESULTS>,
-{
-    type Output = C::Output;
-
-    #[inline(always)]
-    fn run<S: Simd>(self, simd: S) -> C::Output {
-        let length = Pack::<S>::LENGTH;
-        let whole = self.rows - self.rows % length;
-        let mut rest = [[0.0; LONGEST]; ALONG];
-        if whole < self.rows {
-            rest = lengthened(&self.along, whole);
-        }
-        let packs_of_rest = (self.rows - whole).min(1) * length;
-        // Whole packs, then the last one; evaluated at one place only, as in `Store`.
-        let parts = [
-            (self.along, whole, 0, length),
-            (slices(&rest), packs_of_rest, whole, self.rows - whole),
-        ];
-        let fixed = splats(simd, self.fixed);
-        let mut lanes = self.consumer.begin(simd);
-        for (mut along, rows, first, here) in parts {
-            for column in 0..ALONG {
-                along[column] = &along[column][..rows];
-            }
-            let mut row = 0;
-            while row + length <= rows {
-                let results = K::evaluate(simd, fixed, packs(simd, &along, row));
-                self.consumer.take(&mut lanes, first + row, here, &results);
-                row += length;
-            }
-        }
-        self.consumer.end(lanes)
-    }
 }

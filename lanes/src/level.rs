@@ -1,4 +1,4 @@
-//! Which instructions a kernel runs on, picked once at run time.
+//! Which instructions a kernel runs on: found once, when the program runs.
 
 use std::fmt;
 use std::str::FromStr;
@@ -9,10 +9,19 @@ use thiserror::Error;
 /// The environment variable that forces a level, such as `LANES_LEVEL=baseline`.
 const VARIABLE: &str = "LANES_LEVEL";
 
-/// A set of instructions. Results have the same bits on each.
+/// A set of instructions that kernels run on. Results have the same bits on every level.
+///
+/// ```
+/// use lanes::Level;
+///
+/// let best = Level::best();
+/// println!("kernels run on {best}");
+/// assert!(best.is_available());
+/// assert_eq!("avx2".parse(), Ok(Level::Avx2));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Level {
-    /// What every machine of the target has: packs of 2 on x86-64 (SSE2) and ARM64.
+    /// The instructions that every machine of the target has: packs of 2 on x86-64 (SSE2) and ARM64.
     Baseline,
     /// AVX2 and FMA: packs of 4.
     Avx2,
@@ -20,7 +29,7 @@ pub enum Level {
     Avx512,
 }
 
-/// A name that is no level.
+/// Says that a name is no [`Level`].
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error("there is no level {found:?}; levels are baseline, avx2, avx512")]
 pub struct UnknownLevel {
@@ -32,7 +41,7 @@ impl Level {
     /// All levels, the narrowest first.
     pub const ALL: [Self; 3] = [Self::Baseline, Self::Avx2, Self::Avx512];
 
-    /// Whether the machine has it.
+    /// Whether the machine has its instructions.
     pub fn is_available(self) -> bool {
         self <= widest()
     }
@@ -42,8 +51,8 @@ impl Level {
         Self::ALL.into_iter().filter(|level| level.is_available())
     }
 
-    /// The level to run on: the widest that the machine has, or the one that the environment variable `LANES_LEVEL` names
-    /// if the machine has it. It is found once; a name that is no level is no choice.
+    /// Finds the level to run on, once: the widest that the machine has, or a narrower one that the environment variable
+    /// `LANES_LEVEL` names. A value of the variable that is no level is ignored.
     pub fn best() -> Self {
         static BEST: OnceLock<Level> = OnceLock::new();
         *BEST.get_or_init(|| {
@@ -53,7 +62,7 @@ impl Level {
         })
     }
 
-    /// This level, or the widest that the machine has where that is narrower.
+    /// Narrows the level to the widest that the machine has.
     pub fn at_most_available(self) -> Self {
         self.min(widest())
     }
@@ -102,16 +111,16 @@ fn widest() -> Level {
     Level::Baseline
 }
 
-/// What can be run on any level: a body generic over the instructions.
+/// A computation that is generic over the instructions it runs on.
 pub(crate) trait Body {
-    /// What it gives.
+    /// What comes of it.
     type Output;
 
     /// Runs it on the instructions that `simd` proves to be there.
     fn run<S: fearless_simd::Simd>(self, simd: S) -> Self::Output;
 }
 
-/// Runs a body on a level, or on the widest below it that the machine has.
+/// Runs a body on a level, or on the widest one below it that the machine has.
 pub(crate) fn run<B: Body>(level: Level, body: B) -> B::Output {
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
     {
@@ -130,14 +139,17 @@ pub(crate) fn run<B: Body>(level: Level, body: B) -> B::Output {
             );
         }
     }
+    // Elsewhere there is one level.
+    #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
+    let _ = level;
     baseline(body)
 }
 
-/// Runs a body whose frame starts with a line of the cache.
+/// Runs a body in a stack frame that starts at a line of the cache.
 ///
-/// Packs that find no register are kept in the frame. The compiler does not align it for them, and in half of all processes
-/// each of them would be in two lines: the gradients of the widths, with 700 such loads and stores, took 15 % longer there.
-/// A frame that holds something aligned is aligned as a whole.
+/// Packs for which no register is left are kept in the stack frame. The compiler does not align it for them, so that in half
+/// of all processes each of these packs would lie in two lines of the cache: the gradients of the widths, with 700 such loads
+/// and stores, took 15 % longer there. A frame that holds one aligned value is aligned as a whole.
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 #[inline(always)]
 fn on_lines<B: Body, S: fearless_simd::Simd>(body: B, simd: S) -> B::Output {
@@ -155,7 +167,7 @@ fn on_lines<B: Body, S: fearless_simd::Simd>(body: B, simd: S) -> B::Output {
 ))]
 pub(crate) fn baseline<B: Body>(body: B) -> B::Output {
     use fearless_simd::Simd;
-    // A choice among all levels would be one more copy of the body for each.
+    // SSE2 is named here because a choice among all levels would compile the body once more for each.
     let Some(simd) = fearless_simd::Level::baseline().as_sse2() else {
         unreachable!("every machine of the target has SSE2");
     };

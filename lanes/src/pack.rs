@@ -1,4 +1,4 @@
-//! A pack of numbers, one of each row, with the operations that generated code does.
+//! A pack of numbers, one of each row, with the operations that kernels need.
 
 use std::fmt;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -7,7 +7,7 @@ use fearless_simd::{Select, Simd, SimdBase, SimdFloat};
 
 use crate::root;
 
-/// As many numbers as the instructions of `S` take at once, with the arithmetic of `f64`.
+/// Numbers of consecutive rows, as many as the instructions of `S` work on at once, with the arithmetic of `f64`.
 #[derive(Clone, Copy)]
 pub struct Pack<S: Simd> {
     simd: S,
@@ -18,14 +18,14 @@ impl<S: Simd> Pack<S> {
     /// How many numbers it holds.
     pub const LENGTH: usize = <S::f64s as SimdBase<S>>::LEN;
 
-    /// Creates a pack with one number in every row.
+    /// Creates a pack that has the number in every row.
     #[inline(always)]
     pub fn splat(simd: S, number: f64) -> Self {
         let numbers = S::f64s::splat(simd, number);
         Self { simd, numbers }
     }
 
-    /// The numbers of a slice of [`LENGTH`](Self::LENGTH).
+    /// Loads the numbers of a slice of [`LENGTH`](Self::LENGTH).
     ///
     /// # Panics
     /// Where the slice is of another length.
@@ -56,18 +56,19 @@ impl<S: Simd> Pack<S> {
         self.numbers[0]
     }
 
-    /// The instructions it is made of.
+    /// The token of the instructions that it uses.
     #[inline(always)]
     pub fn simd(self) -> S {
         self.simd
     }
 
+    /// Creates a pack of other numbers with the token of this one.
     #[inline(always)]
     fn with(self, numbers: S::f64s) -> Self {
         Self { numbers, ..self }
     }
 
-    /// A function of one number, row by row: for functions that have no instruction.
+    /// Applies a function to each number: for functions for which there is no instruction.
     #[inline(always)]
     pub fn map(self, function: impl Fn(f64) -> f64) -> Self {
         self.map_rows(|_, number| function(number))
@@ -80,20 +81,20 @@ impl<S: Simd> Pack<S> {
         self.with(S::f64s::from_fn(self.simd, |row| function(row, given[row])))
     }
 
-    /// Square root.
+    /// Takes the square root.
     #[inline(always)]
     pub fn sqrt(self) -> Self {
         self.with(self.numbers.sqrt())
     }
 
-    /// Square root with the same bits, by multiplications where the instructions allow: for code that has the divider do
-    /// other roots or divisions meanwhile.
+    /// Takes the square root with the bits of [`sqrt`](Self::sqrt), on AVX-512 by multiplications: for code in which the
+    /// divider has other roots or divisions to do.
     #[inline(always)]
     pub fn sqrt_by_multiplication(self) -> Self {
         self.with(root::by_multiplication(self.simd, self.numbers))
     }
 
-    /// Absolute value.
+    /// Takes the absolute value.
     #[inline(always)]
     pub fn abs(self) -> Self {
         self.with(self.numbers.abs())
@@ -107,59 +108,59 @@ impl<S: Simd> Pack<S> {
         self.with(is_nan.select(self.numbers, one))
     }
 
-    /// The smaller of two, as [`f64::min`]: the other one where one is not a number.
+    /// Takes the smaller of two numbers, as [`f64::min`]: where one is NaN, the other.
     #[inline(always)]
     pub fn min(self, other: Self) -> Self {
         self.with(self.numbers.min_precise(other.numbers))
     }
 
-    /// The larger of two, as [`f64::max`]: the other one where one is not a number.
+    /// Takes the larger of two numbers, as [`f64::max`]: where one is NaN, the other.
     #[inline(always)]
     pub fn max(self, other: Self) -> Self {
         self.with(self.numbers.max_precise(other.numbers))
     }
 
-    /// −1 where the number is below zero, else 1, also for a negative zero.
+    /// −1 where the number is below zero, else 1; a negative zero is not below zero.
     #[inline(always)]
     pub fn side(self) -> Self {
         let shifted = self.numbers + S::f64s::splat(self.simd, 0.0);
         self.with(S::f64s::splat(self.simd, 1.0).copysign(shifted))
     }
 
-    /// The number times another plus a third, rounded once on every level, as [`f64::mul_add`].
+    /// Multiplies by `factor` and adds `summand`, rounded once on every level, as [`f64::mul_add`].
     #[inline(always)]
     pub fn mul_add(self, factor: Self, summand: Self) -> Self {
         let (factor, summand) = (factor.numbers, summand.numbers);
         self.map_rows(|row, number| number.mul_add(factor[row], summand[row]))
     }
 
-    /// `x` in the rows where this is equal to `other`, `y` in the others.
+    /// Selects `x` in the rows where this number is equal to that of `other`, and `y` in the rest.
     #[inline(always)]
     pub fn select_eq(self, other: Self, x: Self, y: Self) -> Self {
         let chosen = self.numbers.simd_eq(other.numbers);
         self.with(chosen.select(x.numbers, y.numbers))
     }
 
-    /// `x` in the rows where this is at most `bound`, `y` in the others.
+    /// Selects `x` in the rows where this number is at most that of `bound`, and `y` in the rest.
     #[inline(always)]
     pub fn select_le(self, bound: Self, x: Self, y: Self) -> Self {
         let chosen = self.numbers.simd_le(bound.numbers);
         self.with(chosen.select(x.numbers, y.numbers))
     }
 
-    /// The nearest whole number, ties to even.
+    /// Rounds to the nearest whole number, and to the even one of two that are equally near.
     #[inline(always)]
     pub(crate) fn round_ties_even(self) -> Self {
         self.with(self.numbers.round_ties_even())
     }
 
-    /// The largest whole number that is not larger.
+    /// Rounds down to a whole number.
     #[inline(always)]
     pub fn floor(self) -> Self {
         self.with(self.numbers.floor())
     }
 
-    /// Whether every number is at most `bound`; false where one is not a number.
+    /// Whether every number is at most `bound`; NaN is not.
     #[inline(always)]
     pub(crate) fn all_at_most(self, bound: f64) -> bool {
         use fearless_simd::SimdMask;
@@ -167,19 +168,19 @@ impl<S: Simd> Pack<S> {
         within.all_true()
     }
 
-    /// Tangent of an angle in radians.
+    /// Takes the tangent of an angle in radians.
     #[inline(always)]
     pub fn tan(self) -> Self {
         self.map(f64::tan)
     }
 
-    /// Exponential.
+    /// Takes the exponential.
     #[inline(always)]
     pub fn exp(self) -> Self {
         self.map(f64::exp)
     }
 
-    /// Natural logarithm.
+    /// Takes the natural logarithm.
     #[inline(always)]
     pub fn ln(self) -> Self {
         self.map(f64::ln)
@@ -201,7 +202,7 @@ impl<S: Simd> Neg for Pack<S> {
     }
 }
 
-/// An operator between packs, and between a pack and a number.
+/// Implements an operator between two packs, and between a pack and a number.
 macro_rules! operator {
     ($operator:ident, $method:ident, $symbol:tt) => {
         impl<S: Simd> $operator for Pack<S> {

@@ -1,4 +1,5 @@
-//! Numbers of pieces: each row of a pack takes those of the piece on which it lies.
+//! Functions that are given piece by piece, such as tabulated polynomials: finds for each row the piece on which its argument
+//! lies, and picks a coefficient of that piece.
 
 use fearless_simd::Simd;
 #[cfg(target_arch = "x86_64")]
@@ -6,19 +7,40 @@ use fearless_simd::SimdBase;
 
 use crate::pack::Pack;
 
-/// The most pieces.
+/// The most pieces that a function may have: as many numbers as one permutation of AVX-512 picks from.
 pub const MOST_PIECES: usize = 16;
 
-/// The piece on which each row of a pack lies.
+/// The piece on which the number of each row of a pack lies.
+///
+/// ```
+/// use lanes::{ALL, Kernel, Level, LengthError, MOST_PIECES, Pack, Simd, store};
+///
+/// /// A function with steps: 1 below 0.5, 10 from there to 2, and 100 from there on.
+/// struct Steps;
+///
+/// impl Kernel<0, 1, 1> for Steps {
+///     #[inline(always)]
+///     fn evaluate<S: Simd>(_: S, _: [Pack<S>; 0], [x]: [Pack<S>; 1]) -> [Pack<S>; 1] {
+///         let mut heights = [100.0; MOST_PIECES];
+///         (heights[0], heights[1]) = (1.0, 10.0);
+///         [x.pieces(&[0.5, 2.0]).choose(&heights)]
+///     }
+/// }
+///
+/// let mut found = [0.0; 4];
+/// store::<Steps, ALL, 0, 1, 1>(Level::best(), &[], [&[0.1, 0.5, 1.9, 2.0]], [&mut found])?;
+/// assert_eq!(found, [1.0, 10.0, 10.0, 100.0]);
+/// # Ok::<(), LengthError>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Pieces<S: Simd> {
-    /// Its number as a whole number; on AVX-512 as the bits of one.
+    /// The piece's number from 0: as a floating-point number, on AVX-512 as the bits of an integer.
     numbers: Pack<S>,
 }
 
 impl<S: Simd> Pack<S> {
-    /// The piece of each row: the first up to the first of `begins`, the next from there on, and so on. `begins` rise;
-    /// there are fewer than [`MOST_PIECES`].
+    /// Finds the piece of each row. The first piece ends where the second begins, at the first of `begins`, and so on.
+    /// `begins` must rise, and be fewer than [`MOST_PIECES`].
     #[inline(always)]
     pub fn pieces<const BEGINS: usize>(self, begins: &[f64; BEGINS]) -> Pieces<S> {
         let simd = self.simd();
@@ -40,7 +62,7 @@ impl<S: Simd> Pack<S> {
 }
 
 impl<S: Simd> Pieces<S> {
-    /// The number of each row's piece.
+    /// Picks for each row the number that `list` has for its piece.
     #[inline(always)]
     pub fn choose(self, list: &[f64; MOST_PIECES]) -> Pack<S> {
         #[cfg(target_arch = "x86_64")]
@@ -67,7 +89,7 @@ mod avx512 {
     use super::MOST_PIECES;
 
     fearless_simd::kernel!(
-        /// How many of the pieces after the first have begun at each number, as the bits of a whole number.
+        /// Counts for each number the pieces after the first that begin at or below it, as the bits of an integer.
         #[inline]
         pub(super) fn pieces(avx512: Avx512, x: f64x8<Avx512>, begins: &[f64]) -> f64x8<Avx512> {
             let x: __m512d = x.into();
@@ -82,7 +104,7 @@ mod avx512 {
     );
 
     fearless_simd::kernel!(
-        /// The number of each row's piece: one permutation of two packs.
+        /// Picks the number of each row's piece, by one permutation of two packs.
         #[inline]
         pub(super) fn choose(
             avx512: Avx512,

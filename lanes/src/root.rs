@@ -1,4 +1,4 @@
-//! Square roots by multiplications, for code whose divider is busy while the multipliers wait.
+//! Square roots by multiplications, for code in which the divider is busy and the multipliers are not.
 //!
 //! The divider takes some 17 cycles for the roots of a pack of 8 and does nothing else meanwhile. On AVX-512 there is an
 //! estimate $y$ of $1/\sqrt x$ within $2^{-14}$, and two steps of Goldschmidt bring $g = xy$ and $h = y/2$ near
@@ -9,7 +9,7 @@
 //! so two leave less than $2^{-54}$ of that of $y$. Rounding adds to it: each number has $2^{-53}$ of its own, and $g$ and
 //! $h$ have half of what sets $g/h$ apart from $2x$. Both are within $3 \cdot 2^{-53}$ in the end, $g$ so within 3 units
 //! in the last place (ulp). The difference $x - g^2$ has few digits more than fit and is off by $2^{-53}$ of itself at
-//! most. What is rounded at last is then off by less than $3\,\mathrm{ulp} \cdot 2^{-50}$, below $2^{-48}\,\mathrm{ulp}$,
+//! most. What is rounded at last is then off by less than $3 \cdot 2^{-50}$ ulp, below $2^{-48}$ ulp,
 //! and is rounded as the root is, unless the root is as near as that to the middle of two numbers.
 //!
 //! Let that middle be $m/2$ ulp, $m$ odd and below $2^{54}$, and $x = X\,\mathrm{ulp}^2$. The root is
@@ -20,7 +20,7 @@
 use fearless_simd::SimdBase;
 use fearless_simd::{Simd, SimdFloat};
 
-/// Square roots with the bits of [`SimdFloat::sqrt`]; without the divider where the level has what it takes.
+/// Takes square roots with the bits of [`SimdFloat::sqrt`], on AVX-512 without the divider.
 #[inline(always)]
 pub(crate) fn by_multiplication<S: Simd>(simd: S, x: S::f64s) -> S::f64s {
     #[cfg(target_arch = "x86_64")]

@@ -1,9 +1,9 @@
 //! Sine and cosine of packs.
 //!
-//! An angle is brought to $|r| \le \pi/4$ by the nearest multiple of $\pi/2$, which is subtracted in three parts, the
-//! first two of so few digits that their multiples are exact; what rounding takes from $r$ is carried along.
-//! Sine and cosine of $r$ are the first terms of their series and a remainder in $z = r^2$ each,
-//! a polynomial that the generator fits when this crate is built.
+//! An angle is brought to $|r| \le \pi/4$ by subtracting the nearest multiple of $\pi/2$. That multiple is subtracted in three
+//! parts, the first two of so few digits that their multiples are exact; what $r$ loses by rounding is kept beside it.
+//! Sine and cosine of $r$ are the first terms of their series and a remainder in $z = r^2$, a polynomial that is fitted when
+//! this crate is built.
 
 use std::f64::consts::FRAC_2_PI;
 
@@ -14,8 +14,8 @@ use crate::level::{self, Body, Level};
 use crate::pack::Pack;
 use series::{cosine_remainder, sine_remainder};
 
-/// Up to this size of an angle, in radians, [`Pack::sin`] and [`Pack::cos`] are polynomials; beyond, they are those of the
-/// standard library.
+/// Up to this size of an angle, in radians, [`Pack::sin`] and [`Pack::cos`] are polynomials; beyond it they call the standard
+/// library. Its 637 quarter turns are far fewer than the 2²⁰ up to which the reduction of the angle is exact.
 pub const EXACT_BEYOND: f64 = 1e3;
 
 /// π/2 in three parts: 33 bits, 33 bits, and the rest. A multiple below 2²⁰ of the first two is exact.
@@ -34,7 +34,7 @@ mod series {
         integral(|t| (1.0 - t).powi(2) / 2.0 * (z.sqrt() * t).cos(), 0.0..1.0)
     }
 
-    /// $C(z)$ in $\cos r = 1 - r^2/2 + r^4 C(r^2)$, likewise.
+    /// $C(z)$ in $\cos r = 1 - r^2/2 + r^4 C(r^2)$: Taylor's remainder as an integral, in which nothing cancels.
     #[approximate(z = 0.0..=0.62, tolerance = 1e-15)]
     #[generate(columns)]
     pub(super) fn cosine_remainder(z: f64) -> f64 {
@@ -42,16 +42,21 @@ mod series {
     }
 }
 
-/// Sine of an angle in radians with the bits of [`Pack::sin`].
+/// Takes the sine of an angle in radians, with the bits of [`Pack::sin`].
+///
+/// ```
+/// assert!((lanes::sin(std::f64::consts::FRAC_PI_6) - 0.5).abs() < 1e-15);
+/// ```
 pub fn sin(angle: f64) -> f64 {
     level::run(Level::Baseline, Sine(angle))
 }
 
-/// Cosine of an angle in radians with the bits of [`Pack::cos`].
+/// Takes the cosine of an angle in radians, with the bits of [`Pack::cos`].
 pub fn cos(angle: f64) -> f64 {
     level::run(Level::Baseline, Cosine(angle))
 }
 
+/// The sine of an angle.
 struct Sine(f64);
 
 impl Body for Sine {
@@ -63,6 +68,7 @@ impl Body for Sine {
     }
 }
 
+/// The cosine of an angle.
 struct Cosine(f64);
 
 impl Body for Cosine {
@@ -75,20 +81,21 @@ impl Body for Cosine {
 }
 
 impl<S: Simd> Pack<S> {
-    /// Sine of an angle in radians, within 2 units in the last place.
+    /// Takes the sine of an angle in radians, within 2 units in the last place.
     #[inline(always)]
     pub fn sin(self) -> Self {
         self.turned(0.0, f64::sin)
     }
 
-    /// Cosine of an angle in radians, within 2 units in the last place.
+    /// Takes the cosine of an angle in radians, within 2 units in the last place.
     #[inline(always)]
     pub fn cos(self) -> Self {
-        // A quarter turn ahead of the sine.
+        // The cosine is a quarter turn ahead of the sine.
         self.turned(1.0, f64::cos)
     }
 
-    /// The sine `ahead` quarter turns ahead; `exact` is the same where the angle is large.
+    /// Takes the sine of an angle that is `ahead` quarter turns larger. For large angles it calls `exact`, the standard
+    /// library's function with that value.
     #[inline(always)]
     fn turned(self, ahead: f64, exact: fn(f64) -> f64) -> Self {
         let polynomial = self.near_turned(ahead);
@@ -105,7 +112,7 @@ impl<S: Simd> Pack<S> {
         })
     }
 
-    /// Sine and cosine of angles up to [`EXACT_BEYOND`].
+    /// Takes the sine of an angle that is `ahead` quarter turns larger, by polynomials: for angles up to [`EXACT_BEYOND`].
     #[inline(always)]
     fn near_turned(self, ahead: f64) -> Self {
         let quarters = (self * FRAC_2_PI).round_ties_even();
@@ -122,7 +129,7 @@ impl<S: Simd> Pack<S> {
         let sine = r + ((1.0 - half) * lost - r * z * sine_rest);
         let cosine = 1.0 - (half - (z * z * cosine_rest - r * lost));
 
-        // Of quarter turns 0, 1, 2, 3 the sine is sin, cos, −sin, −cos.
+        // After 0, 1, 2, 3 quarter turns the sine is sin r, cos r, −sin r, −cos r.
         let quarters = quarters + ahead;
         let halves = (0.5 * quarters).floor();
         let is_odd = |number: Self, half: Self| number - 2.0 * half;

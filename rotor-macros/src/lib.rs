@@ -1,7 +1,28 @@
-//! The door to [`codegen`]: one attribute that hands a module's tokens over and hands tokens back.
+//! Generates fast code from formulas: put [`macro@symbolic`] on a module of plain functions over `f64`, and say beside each
+//! function what you want of it: the value in few operations, the gradient, the Hessian, loops over columns.
 //!
-//! The language, what is generated from it and how are described in [`codegen`]; a tutorial is the workspace's
-//! `examples/mathieu`.
+//! ```
+//! #[rotor_macros::symbolic]
+//! mod springs {
+//!     /// Energy of a hardening spring.
+//!     #[generate(value, gradient(x, stiffness))]
+//!     pub fn energy(x: f64, stiffness: f64) -> f64 {
+//!         0.5 * stiffness * x.powi(2) * (1.0 + 0.1 * x.powi(2))
+//!     }
+//! }
+//!
+//! let (energy, [force, by_stiffness]) = springs::energy::gradient(0.5, 3.0);
+//! assert_eq!(energy, springs::energy(0.5, 3.0)); // the function itself is still there
+//! assert!((force - 1.575).abs() < 1e-15 && by_stiffness == energy / 3.0);
+//! ```
+//!
+//! Derivatives are exact: formulas are differentiated as formulas while the crate is built, and the value and all partials
+//! share their operations. A crate that asks for `columns` or `stage` depends on the crate `lanes`, which runs these loops.
+//!
+//! Next: [`macro@symbolic`] lists what can be asked for; [`codegen`] describes the language of formulas and its limits; the
+//! workspace's `examples/mathieu` is a tutorial.
+//!
+//! This crate has no logic of its own. It hands the tokens of a module to [`codegen`] and returns what that makes of them.
 
 use proc_macro::TokenStream;
 
@@ -67,7 +88,7 @@ pub fn symbolic(attribute: TokenStream, item: TokenStream) -> TokenStream {
     codegen::link::attribute(attribute.into(), item.into()).into()
 }
 
-/// Called by the modules that [`macro@symbolic`] makes, to hand their tokens on to those that link them.
+/// Hands the tokens of a module on to the modules that link it. Code that [`macro@symbolic`] has generated calls it.
 #[doc(hidden)]
 #[proc_macro]
 pub fn __linked(tokens: TokenStream) -> TokenStream {

@@ -11,13 +11,13 @@ const DISTANCES: [f64; 6] = [7.0, 20.0, 38.0, 60.0, 90.0, 130.0];
 /// A label at least this far away in pixels has a line to its point.
 const FAR: f64 = 12.0;
 
-/// What labels should leave free.
+/// What a label should not cover.
 pub(crate) struct Around<'a> {
     /// The frame, which no label leaves.
     pub(crate) frame: &'a Rect,
     /// Points every few pixels along the curves.
     pub(crate) curves: &'a [Point],
-    /// Labels that stand already.
+    /// Labels that are on the page already.
     pub(crate) labels: &'a [Rect],
 }
 
@@ -49,8 +49,8 @@ pub(crate) fn draw(svg: &mut Svg, notes: &[(&str, Point)], around: &Around<'_>, 
     }
 }
 
-/// What a place for the label of the point `at` would cover, weighted: curves, lines from labels to their points that
-/// cross curves, a place that is nearer to another point, other labels and points, and what is outside of the frame.
+/// Weighs what is wrong with a place for the label of the point `at`: curves that it covers or that its line to the point
+/// crosses, a point that is nearer than its own, other labels and points under it, and corners outside the frame.
 fn cost(place: &Rect, at: Point, points: &[Point], around: &Around<'_>, placed: &[Rect]) -> usize {
     let covered = around
         .curves
@@ -89,7 +89,7 @@ fn crosses(point: Point, from: Point, to: Point) -> bool {
     (6.0..length).contains(&forward) && aside < 3.0
 }
 
-/// The places for a label of a width about a point, the nearest first.
+/// Lists the places about a point for a label of this width, the nearest first.
 fn places((x, y): Point, width: f64) -> Vec<Rect> {
     let size = (width + 6.0, LETTERS + 6.0);
     let beside = |distance: f64, length: f64| [distance, -distance - length];
@@ -97,12 +97,12 @@ fn places((x, y): Point, width: f64) -> Vec<Rect> {
     for (index, aside) in DISTANCES.into_iter().enumerate() {
         for (other, above) in DISTANCES.into_iter().enumerate() {
             for left in beside(aside, size.0) {
-                // Above first.
+                // Of two places as near as each other the one above comes first.
                 let tops = beside(above, size.1).into_iter().rev();
                 places.extend(tops.map(|top| (2 * (index + other), left, top)));
             }
         }
-        // A little after the places at a corner that are as near.
+        // These come a little after the places at a corner that are as near.
         places.extend(beside(aside, size.0).map(|left| (4 * index + 1, left, -0.5 * size.1)));
         places.extend(beside(aside, size.1).map(|top| (4 * index + 1, -0.5 * size.0, top)));
     }

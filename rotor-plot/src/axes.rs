@@ -74,7 +74,7 @@ pub(crate) struct Axes<'a> {
     content: Content<'a>,
     x: Scale,
     y: Scale,
-    /// The scale of the colours, of a map with at least one value.
+    /// The scale of the colours, for a map that has a value anywhere.
     colours: Option<Scale>,
     /// Space on the left and on the right of the frame in pixels.
     pub(crate) beside: (f64, f64),
@@ -83,7 +83,7 @@ pub(crate) struct Axes<'a> {
 }
 
 impl<'a> Axes<'a> {
-    /// Lays out a plot in a width in pixels.
+    /// Lays out a plot in a width that is given in pixels.
     pub(crate) fn new(
         content: Content<'a>,
         fonts: &Fonts,
@@ -111,7 +111,7 @@ impl<'a> Axes<'a> {
         })
     }
 
-    /// Draws everything, with the axes about a frame.
+    /// Draws everything inside a frame, and the axes around it.
     pub(crate) fn draw(&self, svg: &mut Svg, frame: &Rect, fonts: &Fonts) {
         let curves = self.content.curves.iter();
         let on_page: Vec<_> = curves
@@ -290,7 +290,7 @@ fn fitted(
             .map(|&tick| place(&scale, tick))
             .collect();
         let apart = |pair: &[(f64, f64)]| matches!(pair, [a, b] if b.0 - a.0 >= a.1 + b.1 + APART);
-        // One tick alone says nothing of the scale.
+        // One tick alone does not tell the scale.
         steps -= 1.0;
         if labels.windows(2).all(apart) || steps < 1.0 || new(steps).ticks.len() < 2 {
             left = labels
@@ -304,7 +304,7 @@ fn fitted(
     }
 }
 
-/// The range of an axis: its own, or the one of the data.
+/// The range of an axis: the one that is given, or that of the data.
 fn range(
     panel: &str,
     axis: &Axis,
@@ -341,7 +341,7 @@ fn range(
     if axis.ticks == Ticks::Logarithmic && low <= 0.0 {
         return Err(PlotErrorKind::Logarithm { axis: label(), low });
     }
-    // A single value stands in the middle.
+    // A single value is in the middle of its axis.
     let around = match high - low {
         span if span > 1e-300 => 0.0,
         _ if low == 0.0 => 0.1,

@@ -1,4 +1,4 @@
-//! What cannot be drawn is refused before anything is drawn.
+//! Looks for what cannot be drawn, before anything is drawn.
 
 use crate::PlotErrorKind;
 use crate::figure::{Annotation, Curve, Map, Plot};
@@ -37,7 +37,7 @@ fn check_drawn(curves: &[Curve], annotations: &[Annotation]) -> Result<(), PlotE
     Ok(())
 }
 
-/// Refuses a map that has not a finite value, or none, for each point of an increasing grid.
+/// Refuses a map unless its grid increases and each of its points has a finite value or none.
 fn check_map(map: &Map) -> Result<(), PlotErrorKind> {
     let (columns, rows, values) = (map.x_values.len(), map.y_values.len(), map.values.len());
     if columns < 2 || rows < 2 || Some(values) != columns.checked_mul(rows) {

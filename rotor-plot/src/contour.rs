@@ -11,8 +11,8 @@ type Crossing = ((usize, usize), Point);
 /// A corner of a square: its index in the grid, where it lies, and the value there.
 type Corner = (usize, Point, f64);
 
-/// The contour lines of a level in the units of the axes, with linear interpolation. Squares with a corner where the
-/// quantity does not exist, or outside the window, have none.
+/// Finds the contour lines of a level, in the units of the axes, by linear interpolation. There is none in a square that has
+/// a corner outside the window or where the quantity does not exist.
 pub(crate) fn lines(map: &Map, level: f64, window: &Rect) -> Vec<Vec<Point>> {
     let columns = map.x_values.len();
     let corner = |i: usize, j: usize| -> Option<Corner> {
@@ -25,7 +25,7 @@ pub(crate) fn lines(map: &Map, level: f64, window: &Rect) -> Vec<Vec<Point>> {
     let mut pieces = Vec::new();
     for j in 0..map.y_values.len() {
         for i in 0..columns {
-            // Round the square: each side's first corner is the last side's second one.
+            // The corners in the order in which one walks around the square.
             let square = [
                 corner(i, j),
                 corner(i + 1, j),
@@ -40,7 +40,7 @@ pub(crate) fn lines(map: &Map, level: f64, window: &Rect) -> Vec<Vec<Point>> {
     joined(&pieces)
 }
 
-/// The pieces of a contour line in one square.
+/// Finds the pieces of a contour line in one square.
 fn in_square([a, b, c, d]: [Corner; 4], level: f64) -> Vec<[Crossing; 2]> {
     let crossing = |from: Corner, to: Corner| {
         let t = (level - from.2) / (to.2 - from.2);
@@ -56,7 +56,7 @@ fn in_square([a, b, c, d]: [Corner; 4], level: f64) -> Vec<[Crossing; 2]> {
         crossing(d, a),
     ];
     if let [Some(ab), Some(bc), Some(cd), Some(da)] = sides {
-        // A saddle: the mean decides which two corners belong together.
+        // At a saddle two pairs of corners could be joined; the mean of all four decides which are.
         let high_middle = 0.25 * (a.2 + b.2 + c.2 + d.2) >= level;
         return if (a.2 >= level) == high_middle {
             vec![[ab, bc], [cd, da]]
@@ -79,7 +79,7 @@ fn joined(pieces: &[[Crossing; 2]]) -> Vec<Vec<Point>> {
     }
     let mut used = vec![false; pieces.len()];
     let mut lines = Vec::new();
-    // Lines with ends begin at one of them; what is left are closed lines.
+    // Lines that have ends are followed from one end first; all lines that are left are closed.
     let ends = at_side.iter().filter(|(_, meeting)| meeting.len() == 1);
     for start in ends.chain(&at_side).map(|(side, _)| *side) {
         let (mut side, mut line) = (start, Vec::new());

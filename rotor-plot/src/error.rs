@@ -30,11 +30,11 @@ pub enum PlotErrorKind {
     NotFinite {
         /// The curve, annotation or axis.
         what: String,
-        /// `x`, `y` or the like.
+        /// `x`, `y`, `value` or `level`.
         quantity: &'static str,
         /// Which point, from 0.
         index: usize,
-        /// The value met.
+        /// Its value.
         value: f64,
     },
     /// There is no point to take the range of an axis from.
@@ -83,7 +83,7 @@ pub enum PlotErrorKind {
         /// Which value, from 0.
         index: usize,
     },
-    /// The page would be higher than a reader of images takes.
+    /// The page would be too high for programs that show images.
     #[error(
         "the picture would be {height:.0} pixels high; at most {most:.0}. Give a shorter caption or fewer maps"
     )]

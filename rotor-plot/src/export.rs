@@ -15,8 +15,8 @@ const MAGNIFICATION: f32 = 2.0;
 /// Units of an SVG document in an inch of paper, as CSS has it.
 const UNITS_PER_INCH: f32 = 96.0;
 
-/// The embedded fonts and no other. They are described here, because they have lost the names by which they would be
-/// found.
+/// The embedded fonts and no other. Their names and styles are stated here, because the font files, cut down to the letters
+/// that figures need, have none.
 static FONTS: LazyLock<Arc<Database>> = LazyLock::new(|| {
     let looks = [
         (Style::Normal, Weight::NORMAL),
@@ -63,7 +63,7 @@ pub(crate) fn png(svg: &str) -> Result<Vec<u8>, PlotErrorKind> {
     encoded(&pixels).map_err(|error| PlotErrorKind::Png(error.to_string()))
 }
 
-/// Encodes pixels, of which none is transparent: the page is white.
+/// Encodes pixels without transparency, as every page is white.
 fn encoded(pixels: &Pixmap) -> Result<Vec<u8>, png::EncodingError> {
     let colours = |pixel: &PremultipliedColorU8| [pixel.red(), pixel.green(), pixel.blue()];
     let colours: Vec<u8> = pixels.pixels().iter().flat_map(colours).collect();
@@ -71,7 +71,7 @@ fn encoded(pixels: &Pixmap) -> Result<Vec<u8>, png::EncodingError> {
     let mut encoder = png::Encoder::new(&mut file, pixels.width(), pixels.height());
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_compression(png::Compression::Best);
-    // The other filters are made for photographs: files of drawings grow by a sixth with them.
+    // Filters help with photographs; files of drawings grow by a sixth with them.
     encoder.set_filter(png::FilterType::NoFilter);
     encoder.write_header()?.write_image_data(&colours)?;
     Ok(file)

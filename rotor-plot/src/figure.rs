@@ -6,9 +6,9 @@ use crate::{PlotError, PlotErrorKind, check, contour, export, page, table};
 /// A figure: what is drawn, its caption and its name.
 #[derive(Debug, Clone)]
 pub struct Figure {
-    /// Stem of the file names, as `figure-4`; errors name it.
+    /// Name of its files without their extension, such as `figure-4`; errors say it.
     pub name: String,
-    /// Text below the plot: what is shown, of what, by which model.
+    /// Text below the plot.
     pub caption: String,
     /// What is drawn.
     pub plot: Plot,
@@ -28,7 +28,7 @@ pub enum Plot {
 /// Curves over one pair of axes.
 #[derive(Debug, Clone)]
 pub struct Panel {
-    /// As `(a)`; may be empty.
+    /// Such as `(a)`; may be empty.
     pub title: String,
     /// Horizontal axis.
     pub x: Axis,
@@ -38,14 +38,14 @@ pub struct Panel {
     pub curves: Vec<Curve>,
     /// Labelled points.
     pub annotations: Vec<Annotation>,
-    /// Said in the middle of the plot, as why nothing is drawn; may be empty.
+    /// Text in the middle of the plot, such as why nothing is drawn; may be empty.
     pub note: String,
 }
 
 /// An axis: its label with the unit, the range it shows and how its ticks are written.
 #[derive(Debug, Clone)]
 pub struct Axis {
-    /// Quantity and unit, as `λ_s / ω_{st} [–]`.
+    /// Quantity and unit, such as `λ_s / ω_{st} [–]`.
     pub label: String,
     /// First and last value shown; `None` fits the data.
     pub range: Option<(f64, f64)>,
@@ -72,11 +72,11 @@ pub enum Ticks {
 pub struct Curve {
     /// Entry of the legend; curves of the same label and look share one entry.
     pub label: String,
-    /// Index into the palette of Okabe and Ito (7 colours, then from the start again).
+    /// Index into the palette of Okabe and Ito, which has 7 colours: the eighth curve has the first colour again.
     pub colour: usize,
     /// Line or symbols.
     pub mark: Mark,
-    /// `(x, y)` in the units of the axes. The curve breaks where `y` is `None`, where the quantity does not exist.
+    /// `(x, y)` in the units of the axes. Where the quantity does not exist `y` is `None`, and the curve has a gap.
     pub points: Vec<(f64, Option<f64>)>,
 }
 
@@ -88,8 +88,8 @@ pub enum Mark {
     Line(Dash),
     /// A symbol at each point.
     Points(Symbol),
-    /// The area inside of each connected part of the points, hatched; in which direction and how densely depends on the
-    /// colour's index, so that areas differ without colours, too.
+    /// The area that each connected part of the points encloses, hatched. The direction and density of the hatching depend
+    /// on the index of the colour, so that areas can be told apart in a print without colours.
     Area,
 }
 
@@ -122,8 +122,14 @@ impl Dash {
         Self::DashDotDotted,
     ];
 
-    /// The pattern of the curve of an index, from the start again after the sixth: curves that differ in pattern and in
-    /// colour can be told apart in a print without colours.
+    /// Picks the pattern for the curve of an index; the seventh curve has the first pattern again. Curves that differ in
+    /// pattern can be told apart in a print without colours.
+    ///
+    /// ```
+    /// use rotor_plot::Dash;
+    ///
+    /// assert_eq!([0, 1, 6].map(Dash::of), [Dash::Solid, Dash::Dashed, Dash::Solid]);
+    /// ```
     #[must_use]
     pub fn of(index: usize) -> Self {
         let pattern = Self::ALL.get(index % Self::ALL.len());
@@ -145,10 +151,10 @@ pub enum Symbol {
     Diamond,
 }
 
-/// A labelled point of a plot, as a zero unstable point.
+/// A point of a plot that has a label.
 #[derive(Debug, Clone)]
 pub struct Annotation {
-    /// As `σ_{ZUP} = 0.2316`.
+    /// Such as `σ_{ZUP} = 0.2316`.
     pub label: String,
     /// `(x, y)` in the units of the axes.
     pub at: (f64, f64),
@@ -157,7 +163,7 @@ pub struct Annotation {
 /// A quantity over two others, as colours with contour lines.
 #[derive(Debug, Clone)]
 pub struct Map {
-    /// As `σ = 0.1`, of one of several maps; may be empty.
+    /// Tells one of several maps from the others, such as `σ = 0.1`; may be empty.
     pub title: String,
     /// Horizontal axis.
     pub x: Axis,
@@ -177,12 +183,12 @@ pub struct Map {
     pub curves: Vec<Curve>,
     /// Labelled points.
     pub annotations: Vec<Annotation>,
-    /// Said in the middle of the plot, as why nothing is drawn; may be empty.
+    /// Text in the middle of the plot, such as why nothing is drawn; may be empty.
     pub note: String,
 }
 
 impl Map {
-    /// The lines along which the map has a value, as the points of one curve with gaps.
+    /// Finds the lines along which the map has a value, as the points of one curve with gaps.
     #[must_use]
     pub fn level_line(&self, level: f64) -> Vec<(f64, Option<f64>)> {
         let (least, most) = (f64::NEG_INFINITY, f64::INFINITY);
@@ -213,7 +219,7 @@ impl Format {
     /// All formats.
     pub const ALL: [Self; 3] = [Self::Svg, Self::Png, Self::Pdf];
 
-    /// What names of files of the format end with, after the dot.
+    /// What the names of the format's files end with, after the dot.
     #[must_use]
     pub const fn extension(self) -> &'static str {
         match self {
@@ -225,7 +231,7 @@ impl Format {
 }
 
 impl Figure {
-    /// Draws the figure in a format. The same figure gives the same bytes.
+    /// Draws the figure in a format. Equal figures give equal bytes.
     ///
     /// # Errors
     /// As [`Figure::svg`], [`Figure::png`] and [`Figure::pdf`].
@@ -237,7 +243,8 @@ impl Figure {
         }
     }
 
-    /// Draws the figure as a self-contained SVG document with live text. It holds no ids, so several fit into one page.
+    /// Draws the figure as an SVG document that refers to nothing outside it, with text that can be searched. It has no
+    /// ids, so that several documents fit into one page.
     ///
     /// # Errors
     /// A figure that [`PlotErrorKind`](crate::PlotErrorKind) describes: no panel or too many, values that are not
@@ -248,8 +255,7 @@ impl Figure {
             .map_err(|kind| self.error(kind))
     }
 
-    /// Draws the figure as a PNG image. Its letters are those of the embedded fonts: no font of the machine is asked
-    /// for.
+    /// Draws the figure as a PNG image, with the letters of the embedded fonts on every machine.
     ///
     /// # Errors
     /// As [`Figure::svg`], and when the image has no room in memory.
@@ -258,8 +264,8 @@ impl Figure {
         export::png(&svg).map_err(|kind| self.error(kind))
     }
 
-    /// Draws the figure as a PDF document of one page. Its letters are outlines of the embedded fonts: they look the
-    /// same everywhere, but cannot be searched.
+    /// Draws the figure as a PDF document of one page. Its letters are outlines: they look alike everywhere, but cannot be
+    /// searched.
     ///
     /// # Errors
     /// As [`Figure::svg`], and when the document cannot be converted.

@@ -93,7 +93,7 @@ pub(crate) fn distance(a: Point, b: Point) -> f64 {
 pub(crate) fn visible_parts(points: &Gapped, window: &Rect) -> Vec<Vec<Point>> {
     let mut parts: Vec<Vec<Point>> = Vec::new();
     let mut before: Option<Point> = None;
-    // Whether the last part ends at `before`, so that the next segment continues it.
+    // Whether the last part ends at the point `before`; then the next segment continues it.
     let mut connected = false;
     for (index, &(x, y)) in points.iter().enumerate() {
         let here = y.map(|y| (x, y));

@@ -12,7 +12,7 @@ use crate::svg::{AXIS, Anchor, Path, Svg, Text, WHITE, fill, stroke};
 
 /// Distance of the colour bar from the frame and its width in pixels.
 pub(crate) const BAR: (f64, f64) = (16.0, 14.0);
-/// Shades of the colour scale: more cannot be told apart.
+/// How many shades the colour scale has: more cannot be told apart.
 const SHADES: usize = 64;
 /// Size of the letters on contour lines in pixels.
 const LETTERS: f64 = 10.5;
@@ -20,14 +20,19 @@ const LETTERS: f64 = 10.5;
 const NOTHING: (&str, &str) = ("#f0f0f0", "#c4c4c4");
 /// How far cells reach under their right and lower neighbours in pixels, so that no viewer shows a seam.
 const OVERLAP: f64 = 0.6;
-/// The colour scale viridis of matplotlib at ten even steps: as even in grey as in colours.
+/// The colour scale viridis of matplotlib at ten even steps; printed without colours its steps stay even.
 const VIRIDIS: [u32; 10] = [
     0x44_01_54, 0x48_28_78, 0x3e_4a_89, 0x31_68_8e, 0x26_82_8e, 0x1f_9e_89, 0x35_b7_79, 0x6d_cd_59,
     0xb4_de_2c, 0xfd_e7_25,
 ];
 
-/// Round values between the smallest and the largest, about `count` of them: levels for the contour lines of a map. None
-/// where there is no value, or but one.
+/// Picks about `count` round values between the smallest and the largest value of a map, as levels of its contour lines;
+/// none where all values are equal or there is no value.
+///
+/// ```
+/// let values = [Some(0.5), None, Some(10.0)];
+/// assert_eq!(rotor_plot::levels(&values, 5.0), [2.0, 4.0, 6.0, 8.0]);
+/// ```
 #[must_use]
 pub fn levels(values: &[Option<f64>], count: f64) -> Vec<f64> {
     let existing = || values.iter().flatten().copied();
@@ -49,20 +54,20 @@ pub fn levels(values: &[Option<f64>], count: f64) -> Vec<f64> {
 pub(crate) fn scale(map: &Map) -> Option<Scale> {
     let existing = || map.values.iter().flatten().copied();
     let (low, high) = (existing().reduce(f64::min)?, existing().reduce(f64::max)?);
-    // The contours are ticks of the bar, which goes on to the next ones.
+    // The ticks of the bar are at the contours, and the bar reaches to the next tick at both ends.
     if let [first, second, ..] = map.levels[..] {
         let step = second - first;
         let (low, high) = ((low / step).floor() * step, (high / step).ceil() * step);
         let count = ((high - low) / step).round();
         return Some(Scale::new(low, high, Ticks::Decimal, Ends::Kept, count));
     }
-    // A quantity that is the same everywhere has the middle of the colours.
+    // A quantity that has one value everywhere is drawn in the middle of the colours.
     let around = if high > low {
         0.0
     } else {
         0.1 * low.abs().max(f64::from(low == 0.0))
     };
-    // The colours of what is never negative do not begin below zero.
+    // Where no value is negative, the colours do not begin below zero.
     let least = if low < 0.0 {
         low - around
     } else {
@@ -270,7 +275,7 @@ impl Heat<'_> {
     fn roomiest(&self, places: impl Iterator<Item = Rect>, clear: &[Point]) -> Option<Rect> {
         let [first, _, last, _] = self.frame.corners();
         let inside = places.filter(|place| {
-            // Not at the edge, where a label would hide the frame.
+            // Places at the edge are left out: a label there would hide the frame.
             place.left > first.0 + 3.0
                 && place.top > first.1 + 3.0
                 && place.right < last.0 - 3.0
@@ -281,7 +286,7 @@ impl Heat<'_> {
                 .iter()
                 .map(|&point| distance(point, place.centre()))
                 .reduce(f64::min);
-            // Without a neighbour the middle of the frame is best.
+            // Where there is no point to keep clear of, the middle of the frame is best.
             nearest.unwrap_or(-distance(self.frame.centre(), place.centre()))
         };
         inside

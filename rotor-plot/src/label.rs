@@ -27,7 +27,7 @@ pub(crate) enum Level {
 }
 
 impl Level {
-    /// How far below the baseline letters stand, relative to the size of the text.
+    /// How far the letters are below the baseline, relative to the size of the text.
     pub(crate) fn drop(self) -> f64 {
         match self {
             Self::Base => 0.0,
@@ -36,7 +36,7 @@ impl Level {
         }
     }
 
-    /// Size of the letters in a text of a size.
+    /// Size of the letters, in a text whose size is given.
     pub(crate) fn size(self, size: f64) -> f64 {
         if self == Self::Base {
             size
@@ -46,7 +46,7 @@ impl Level {
     }
 }
 
-/// Letters that are set alike.
+/// Consecutive letters of one shape on one line.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Run {
     pub(crate) text: String,
@@ -123,7 +123,7 @@ fn script_at(letters: &[char], index: usize) -> Option<(Level, String, usize)> {
     (level == Level::Subscript && !text.is_empty()).then_some((level, text, next))
 }
 
-/// Whether a letter is Greek and stands for a variable; π is a number.
+/// Whether a letter is Greek and means a variable; π means a number.
 fn is_greek_symbol(letter: char) -> bool {
     ('\u{370}'..='\u{3ff}').contains(&letter) && letter != 'π'
 }
@@ -189,7 +189,7 @@ impl Fonts {
     /// Reads the embedded fonts.
     ///
     /// # Errors
-    /// Never with the files in `assets/fonts`; a broken file says what is broken.
+    /// A font file that is damaged; those in `assets/fonts` are not.
     pub(crate) fn embedded() -> Result<Self, FaceParsingError> {
         let [upright, italic, bold] = FONT_FILES.map(|data| Face::parse(data, 0));
         Ok(Self {

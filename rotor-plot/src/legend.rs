@@ -13,7 +13,7 @@ const LETTERS: f64 = 12.0;
 /// Space after a sample and after an entry in pixels.
 const SPACE: (f64, f64) = (6.0, 16.0);
 
-/// A title or a curve.
+/// An entry of the legend: the title or a curve.
 #[derive(Debug)]
 struct Entry {
     label: String,
@@ -28,7 +28,7 @@ struct Entry {
 pub(crate) struct Legend(Vec<Entry>);
 
 impl Legend {
-    /// Flows the title and the curves into rows of a width in pixels; curves that look alike are one entry.
+    /// Puts the title and the curves into rows of a width in pixels. Curves with one label and one look share an entry.
     pub(crate) fn new(title: &str, curves: &[Curve], fonts: &Fonts, width: f64) -> Self {
         let bold = |line: &str| fonts.width_of(&label::parse(line, Shape::Bold), LETTERS);
         let titles = label::wrap(title, |line| bold(line) <= width);

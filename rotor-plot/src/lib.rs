@@ -1,9 +1,7 @@
-//! Pictures of curves, areas and maps, as SVG, and from it as PNG and PDF.
+//! Draws figures for reports and papers, curves, hatched areas and maps of colours, as SVG, PNG and PDF.
 //!
-//! A [`Figure`] is one or two panels of curves side by side, a map of colours with contour lines, or small maps in
-//! rows, with a caption below. It is described by plain data and drawn by [`Figure::svg`], [`Figure::png`] and
-//! [`Figure::pdf`]; [`Figure::csv`] has its numbers. Nothing is printed, and no file is read or written: the fonts are
-//! embedded, and what cannot be drawn is a [`PlotError`].
+//! Describe the figure as plain data, a [`Figure`], and call [`Figure::svg`], [`Figure::png`] or [`Figure::pdf`] for the
+//! document, or [`Figure::csv`] for the numbers in it:
 //!
 //! ```
 //! use rotor_plot::{Axis, Curve, Dash, Figure, Mark, Panel, Plot, PlotError, Ticks};
@@ -32,6 +30,11 @@
 //! assert!(figure.pdf()?.starts_with(b"%PDF"));
 //! # Ok::<(), PlotError>(())
 //! ```
+//!
+//! A figure shows one or two panels of curves side by side ([`Panel`]), a map of colours with contour lines ([`Map`]), or
+//! small maps in rows, with a caption below. The documents come back as text or bytes: no file is read or written, the fonts
+//! are embedded, and equal figures give equal bytes. A figure that cannot be drawn is a [`PlotError`], which says what is
+//! wrong with it.
 //!
 //! # Labels
 //!

@@ -4,8 +4,8 @@ use crate::figure::{Curve, Dash, Mark, Symbol};
 use crate::geometry::{Point, Rect, clip_polygon, hatch, visible_parts};
 use crate::svg::{Path, Svg, WHITE, fill, stroke};
 
-/// The palette of Okabe and Ito, which people with any kind of colour vision can tell apart; yellow is left out, it is
-/// too light for lines on white.
+/// The palette of Okabe and Ito, whose colours people with any kind of colour vision can tell apart, without its yellow,
+/// which is too light for lines on white.
 const PALETTE: [&str; 7] = [
     "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000",
 ];
@@ -17,7 +17,7 @@ const HALO_WIDTH: f64 = 3.4;
 /// Length of a line and of a symbol in a legend in pixels: a line shows its whole pattern.
 const SAMPLE: (f64, f64) = (34.0, 10.0);
 
-/// The colour of an index.
+/// Picks the colour of an index.
 fn colour(index: usize) -> &'static str {
     PALETTE
         .get(index % PALETTE.len())
@@ -37,8 +37,8 @@ fn dashes(dash: Dash) -> &'static str {
     }
 }
 
-/// Draws the part of a curve inside a frame. `points` are those of the curve on the page; over a map, lines stand on
-/// white ones.
+/// Draws the part of a curve inside a frame; `points` are its points on the page. Over a map a wider white line is drawn
+/// below each line.
 pub(crate) fn draw(
     svg: &mut Svg,
     curve: &Curve,
@@ -134,8 +134,8 @@ fn symbols(svg: &mut Svg, points: &[Point], symbol: Symbol, colour: &str) {
     svg.path(&path, &stroke(colour, 1.4));
 }
 
-/// Draws a hatched area, through which all below it is seen. Neighbouring indices are hatched in different directions, every other pair more
-/// densely.
+/// Draws a hatched area; what is below it shows between the lines. Areas of neighbouring indices are hatched in different
+/// directions, and every other pair more densely.
 fn area(svg: &mut Svg, outline: &[Point], index: usize) {
     let (mut inside, mut lines) = (Path::default(), Path::default());
     if outline.is_empty() {

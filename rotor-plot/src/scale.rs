@@ -20,9 +20,9 @@ pub(crate) struct Scale {
 /// Whether a range is shown as it is or reaches to the next tick.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Ends {
-    /// As it is.
+    /// The range is shown as it is.
     Kept,
-    /// Rounded outwards to ticks, and down to zero where that is near.
+    /// The range is rounded outwards to ticks, and down to zero where that is near.
     Rounded,
 }
 
@@ -37,7 +37,7 @@ impl Scale {
             Ends::Rounded => with_room(low, high),
         };
         let step = step(high - low, kind, count);
-        // A bound that rounding has moved a little off its tick is on it.
+        // Rounding may have moved a bound off its tick by a little; it counts as on the tick.
         let (first, last) = match ends {
             Ends::Kept => ((low / step - 1e-9).ceil(), (high / step + 1e-9).floor()),
             Ends::Rounded => ((low / step + 1e-9).floor(), (high / step - 1e-9).ceil()),
@@ -62,7 +62,7 @@ impl Scale {
     /// where those are too many; within less than a decade evenly spaced ones where those are too few.
     fn logarithmic(low: f64, high: f64, ends: Ends, count: f64) -> Self {
         let [first, last] = [low, high].map(|value| value.log10().floor() as i32);
-        // Parsing rounds correctly, multiplication by a power of ten does not.
+        // Parsed from text, because that rounds correctly, which multiplication by a power of ten does not.
         let value = |digit: i32, exponent: i32| format!("{digit}e{exponent}").parse::<f64>().ok();
         let exponents = first - 1..=last + 1;
         let round: Vec<f64> = exponents
@@ -87,7 +87,7 @@ impl Scale {
                     .unwrap_or(high),
             ),
         };
-        // A bound that rounding has moved a little off its tick is on it.
+        // Rounding may have moved a bound off its tick by a little; it counts as on the tick.
         let shown = low * (1.0 - 1e-9)..=high * (1.0 + 1e-9);
         let mut ticks = round;
         ticks.retain(|tick| shown.contains(tick));
@@ -115,11 +115,11 @@ impl Scale {
         }
     }
 
-    /// Where a value lies between the ends: 0 at the first, 1 at the last. What lies a million ranges away may as well
-    /// lie there: that keeps pages finite.
+    /// Where a value lies between the ends: 0 at the first, 1 at the last. A value more than a million ranges away is moved to
+    /// that distance, so that coordinates on the page stay finite.
     pub(crate) fn share(&self, value: f64) -> f64 {
         let logarithmic = self.kind == Ticks::Logarithmic && self.high > (1.0 + 1e-9) * self.low;
-        // On a logarithmic axis 0 and less lie far below all that is shown.
+        // On a logarithmic axis values that are not positive lie far below all that is shown.
         let position = |value: f64| {
             if logarithmic {
                 value.max(f64::MIN_POSITIVE).ln()
@@ -151,7 +151,7 @@ impl Scale {
     fn decimal(&self, value: f64, unit: f64) -> String {
         let (value, step) = (value / unit, self.step / unit);
         let largest = self.low.abs().max(self.high.abs()) / unit;
-        // Where the sum of steps should be zero, rounding may leave a little.
+        // Where a sum of steps should be zero, rounding may leave a little of it.
         if value.abs() < 1e-9 * step {
             return "0".to_owned();
         }
@@ -202,7 +202,7 @@ fn with_room(low: f64, high: f64) -> (f64, f64) {
     (if near_zero { 0.0 } else { low - room }, high + room)
 }
 
-/// What the numbers of the ticks count.
+/// The unit in which the numbers at the ticks are written.
 fn unit(kind: Ticks) -> f64 {
     match kind {
         Ticks::Decimal | Ticks::Logarithmic => 1.0,

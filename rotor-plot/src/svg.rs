@@ -12,7 +12,7 @@ pub(crate) const AXIS: &str = "#555555";
 /// Colour of the page.
 pub(crate) const WHITE: &str = "#ffffff";
 
-/// Writes a number with two decimals at most: a hundredth of a pixel is finer than any print.
+/// Writes a number with at most two decimals: nobody sees a hundredth of a pixel.
 pub(crate) fn number(value: f64) -> String {
     // Adding zero turns −0 into 0.
     format!("{}", (value * 100.0).round() / 100.0 + 0.0)
@@ -30,7 +30,7 @@ pub(crate) fn fill(colour: &str) -> String {
     format!("fill=\"{colour}\"")
 }
 
-/// The data of a `<path>`; several shapes of one look are one path.
+/// The data of a `<path>`. Shapes that look alike are put into one path.
 #[derive(Debug, Default)]
 pub(crate) struct Path(String);
 
@@ -79,7 +79,7 @@ impl Path {
     }
 }
 
-/// Which point of a text stands at its place.
+/// Which point of a text is at its place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Anchor {
     Start,
@@ -175,8 +175,8 @@ impl Svg {
         self.0.push_str("</text>\n");
     }
 
-    /// Appends one run after a run on another level. Scripts are moved by `dy`, and what follows is moved back, which
-    /// every reader of SVG follows; `baseline-shift` is not known to all.
+    /// Appends one run; `before` is the level of the run before it. Scripts are moved by `dy` and what follows is moved back,
+    /// because not every program knows `baseline-shift`.
     fn run(&mut self, run: &Run, before: Level, size: f64) {
         let mut attributes = String::new();
         if run.level != before {

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-use crate::Outcome;
+use crate::{Outcome, katex};
 
 /// The `cargo` that runs this program, in the workspace's folder, with nothing to read.
 pub(crate) fn cargo(root: &Path, arguments: &[&str]) -> Command {
@@ -56,8 +56,19 @@ pub(crate) fn lint(root: &Path) -> Outcome {
     ))
 }
 
+/// Builds the documentation with KaTeX in it; its formulas can be read without the network.
 pub(crate) fn doc(root: &Path) -> Outcome {
-    run(cargo(root, &["doc", "--no-deps", "--workspace"]).env("RUSTDOCFLAGS", "-D warnings"))
+    let header = katex::header(root);
+    // Separated as cargo has it, so that the path may have spaces.
+    let flags = [
+        "-D",
+        "warnings",
+        "--html-in-header",
+        &header.to_string_lossy(),
+    ]
+    .join("\x1f");
+    run(cargo(root, &["doc", "--no-deps", "--workspace"]).env("CARGO_ENCODED_RUSTDOCFLAGS", flags))?;
+    katex::copy(root)
 }
 
 pub(crate) fn tests(root: &Path) -> Outcome {

@@ -8,68 +8,94 @@
 )]
 
 mod cargo;
+mod features;
 mod house;
 mod instructions;
+mod katex;
 mod peers;
 mod pictures;
 mod readers;
 mod readme;
+mod semver;
+mod step;
+mod tools;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Instant;
 
+use step::{Choice, Missing, Step};
+use tools::{PYTHON, SEMVER_CHECKS, VALGRIND, WASM};
+
 /// What a step answers: why it failed.
 type Outcome = Result<(), String>;
 
-/// A part of `cargo xtask test`.
-struct Step {
-    name: &'static str,
-    /// For the help.
-    description: &'static str,
-    run: fn(&Path) -> Outcome,
-}
-
 /// All parts, in the order in which `test` runs them.
-const STEPS: [Step; 8] = [
+static STEPS: [Step; 11] = [
     Step {
         name: "fmt",
         description: "cargo fmt --all --check",
+        needs: None,
         run: cargo::fmt,
     },
     Step {
         name: "house",
         description: "no file over 700 lines, no path of one machine, no picture or file that a document links to missing",
+        needs: None,
         run: house::check,
     },
     Step {
         name: "lint",
         description: "cargo clippy --workspace --all-targets -- -D warnings",
+        needs: None,
         run: cargo::lint,
     },
     Step {
         name: "doc",
-        description: "cargo doc --no-deps --workspace, with warnings denied",
+        description: "cargo doc --no-deps --workspace, with warnings denied and formulas shown by KaTeX",
+        needs: None,
         run: cargo::doc,
     },
     Step {
         name: "tests",
         description: "cargo test --workspace: unit, integration and documentation tests",
+        needs: None,
         run: cargo::tests,
+    },
+    Step {
+        name: "features",
+        description: "tests of rotor-core without features, where scans have one thread, and with all of them",
+        needs: None,
+        run: features::check,
+    },
+    Step {
+        name: "portable",
+        description: "rotor-core without features built for wasm32-unknown-unknown (needs that target)",
+        needs: Some(&WASM),
+        run: features::wasm,
+    },
+    Step {
+        name: "semver",
+        description: "public items of the libraries against the newest release, if any (needs cargo-semver-checks)",
+        needs: Some(&SEMVER_CHECKS),
+        run: semver::check,
     },
     Step {
         name: "readme",
         description: "every command that README.md names is one that `rotor` and `cargo xtask` have",
+        needs: None,
         run: readme::commands,
     },
     Step {
         name: "readers",
         description: "tables of `rotor` read by pandas, polars, pyarrow, DuckDB and NumPy (needs python3)",
+        needs: Some(&PYTHON),
         run: readers::check,
     },
     Step {
         name: "instructions",
         description: "counts of the main kernels' instructions as in benches/instructions.csv (needs valgrind)",
+        needs: Some(&VALGRIND),
         run: instructions::check,
     },
 ];
@@ -79,7 +105,8 @@ fn main() -> ExitCode {
     let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
     let root = root();
     let outcome = match words[..] {
-        ["test"] => run(&root, &STEPS.iter().collect::<Vec<_>>()),
+        ["test"] => test(&root, false),
+        ["test", "--all"] => test(&root, true),
         ["pictures"] => pictures::refresh(&root),
         ["pictures", "--check"] => pictures::check(&root),
         ["instructions", "--accept"] => instructions::accept(&root),
@@ -90,7 +117,8 @@ fn main() -> ExitCode {
             print!("{}", help());
             Ok(())
         }
-        [name] if step(name).is_some() => run(&root, &step(name).into_iter().collect::<Vec<_>>()),
+        // What is asked for by its name is not left out.
+        [name] if step(name).is_some() => run(&root, step(name), Missing::Failure),
         _ => {
             eprint!(
                 "xtask: there is no task `{}`\n\n{}",
@@ -128,8 +156,10 @@ fn names() -> impl Iterator<Item = &'static str> {
 }
 
 fn help() -> String {
-    let mut text =
-        String::from("cargo xtask test      all of these, in this order, until one fails\n");
+    let mut text = String::from(
+        "cargo xtask test      all of these, in this order, until one fails; what needs a tool that is not there is\n\
+        \x20                     left out, which the end says; with --all, or where CI is set, it fails\n",
+    );
     for step in &STEPS {
         text.push_str(&format!(
             "cargo xtask {:<12} {}\n",
@@ -147,9 +177,16 @@ fn help() -> String {
     text
 }
 
-fn run(root: &Path, steps: &[&Step]) -> Outcome {
+/// Everything that has to hold before a change is handed in.
+fn test(root: &Path, all: bool) -> Outcome {
+    let ci = std::env::var("CI").ok();
+    run(root, &STEPS, Missing::of(all, ci.as_deref()))
+}
+
+fn run(root: &Path, steps: impl IntoIterator<Item = &'static Step>, missing: Missing) -> Outcome {
+    let choice = Choice::of(steps, |tool| (tool.is_there)(root), missing)?;
     let mut times = Vec::new();
-    for step in steps {
+    for step in &choice.run {
         println!("\n=== {}: {}", step.name, step.description);
         let start = Instant::now();
         (step.run)(root).map_err(|reason| format!("the step `{}` failed: {reason}", step.name))?;
@@ -159,6 +196,14 @@ fn run(root: &Path, steps: &[&Step]) -> Outcome {
             start.elapsed().as_secs_f64()
         ));
     }
-    println!("\n=== all passed: {}", times.join(", "));
+    if choice.left_out.is_empty() {
+        println!("\n=== all passed: {}", times.join(", "));
+    } else {
+        println!("\n=== passed: {}", times.join(", "));
+        println!(
+            "=== left out, because a tool is missing here:\n{}",
+            choice.reasons()
+        );
+    }
     Ok(())
 }

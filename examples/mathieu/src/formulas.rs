@@ -101,7 +101,7 @@ mod equation {
         -even_period_pi::d_q(a, q) / even_period_pi::d_a(a, q)
     }
 
-    /// $\frac{1}{\pi}\int_0^\pi \sqrt{1 - r\cos 2t}\,\mathrm{d}t$, an elliptic integral.
+    /// $\frac{1}{\pi}\int_0^\pi \sqrt{1 - r\cos 2t} \mathrm{d}t$, an elliptic integral.
     ///
     /// A costly function of one number is tabulated when the crate is built, to the given tolerance on the given
     /// interval. One that is an integral is written as its integrand and bounds.

@@ -1,4 +1,4 @@
-//! Where Mathieu's equation $y'' + (a - 2q\cos 2t)\,y = 0$ becomes unstable: a tutorial of the macro
+//! Where Mathieu's equation $y'' + (a - 2q\cos 2t) y = 0$ becomes unstable: a tutorial of the macro
 //! [`symbolic`](rotor_macros::symbolic).
 //!
 //! 1. [`formulas`] holds the mathematics, and nothing else: four determinants, a slope, an integral.

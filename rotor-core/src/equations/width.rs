@@ -36,7 +36,7 @@ mod formulas {
 
     /// $-\Gamma/(H\bar H)$ at the start of the combination region.
     ///
-    /// With $\Theta = \bar H\,\theta$ and $\bar H\bar G = \gamma^2$ it is $-|\gamma\theta|^2/(H\bar G)$, or $-|\gamma\bar\theta|^2/(\bar H G)$. Each form loses
+    /// With $\Theta = \bar H \theta$ and $\bar H\bar G = \gamma^2$ it is $-|\gamma\theta|^2/(H\bar G)$, or $-|\gamma\bar\theta|^2/(\bar H G)$. Each form loses
     /// its digits where the other keeps them; their parts have one sign, and the quotient of the sums has all digits.
     pub fn cir_strength(omega: f64, speed: f64, c: &Coefficients) -> f64 {
         let omega_bar = 2.0 * speed - omega;
@@ -50,7 +50,7 @@ mod formulas {
         -(excitation + excitation_bar) / (h * g_bar + h_bar * g)
     }
 
-    /// First term of Eq. (29): $\kappa_0^2 = (-\Gamma/H\bar H)/(\partial_\omega f_n\,\partial_\omega\bar f_n)$.
+    /// First term of Eq. (29): $\kappa_0^2 = (-\Gamma/H\bar H)/(\partial_\omega f_n \partial_\omega\bar f_n)$.
     pub fn peak_growth_squared(omega: f64, speed: f64, strength: f64, c: &Coefficients) -> f64 {
         // The partner frequency is 2Ω − ω, so its derivative by ω changes sign.
         let partner_slope = -f_n::d_omega(2.0 * speed - omega, speed, c);
