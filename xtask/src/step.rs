@@ -64,7 +64,8 @@ impl<'a> Choice<'a> {
             }
         }
         let choice = Self { run, left_out };
-        if missing == Missing::Failure && !choice.left_out.is_empty() {
+        let mut tools = choice.left_out.iter().map(|(_, tool)| tool);
+        if missing == Missing::Failure && tools.any(|tool| tool.is_demanded) {
             return Err(format!("a tool is missing:\n{}", choice.reasons()));
         }
         Ok(choice)
@@ -89,7 +90,7 @@ impl<'a> Choice<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::tools::{PYTHON, VALGRIND};
+    use crate::tools::{PYTHON, VALGRIND, WASM};
 
     const fn step(name: &'static str, needs: Option<&'static Tool>) -> Step {
         Step {
@@ -122,6 +123,14 @@ mod tests {
             choice.reasons(),
             "  the step `instructions` needs valgrind: install valgrind (on Debian and Ubuntu: apt install valgrind)"
         );
+    }
+
+    #[test]
+    fn what_no_registry_has_is_left_out_everywhere() {
+        let steps = [step("lint", None), step("portable", Some(&WASM))];
+        let without_it = |tool: &Tool| tool.name != WASM.name;
+        let choice = Choice::of(&steps, without_it, Missing::Failure).unwrap();
+        assert_eq!(names(&choice), ["lint"]);
     }
 
     #[test]

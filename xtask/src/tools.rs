@@ -13,6 +13,8 @@ pub(crate) struct Tool {
     pub(crate) name: &'static str,
     /// How to have it, for whoever has not.
     pub(crate) how: &'static str,
+    /// Whether machines of continuous integration have to have it: not what a registry of packages cannot give them.
+    pub(crate) is_demanded: bool,
     /// Whether it is there, for the workspace in this folder.
     pub(crate) is_there: fn(&Path) -> bool,
 }
@@ -21,6 +23,7 @@ pub(crate) struct Tool {
 pub(crate) static PYTHON: Tool = Tool {
     name: "python3 with its module venv",
     how: "install Python 3.11 or later (on Debian and Ubuntu: apt install python3-venv)",
+    is_demanded: true,
     // Debian packs what `python3 -m venv` needs apart from Python: ensurepip is what is missing then.
     is_there: |_| answers(Command::new("python3").args(["-c", "import venv, ensurepip"])),
 };
@@ -29,6 +32,7 @@ pub(crate) static PYTHON: Tool = Tool {
 pub(crate) static VALGRIND: Tool = Tool {
     name: "valgrind",
     how: "install valgrind (on Debian and Ubuntu: apt install valgrind)",
+    is_demanded: true,
     is_there: |_| answers(Command::new("valgrind").arg("--version")),
 };
 
@@ -39,6 +43,7 @@ pub(crate) const WASM_TARGET: &str = "wasm32-unknown-unknown";
 pub(crate) static WASM: Tool = Tool {
     name: "Rust's standard library for wasm32-unknown-unknown",
     how: "rustup target add wasm32-unknown-unknown",
+    is_demanded: false,
     is_there: |_| {
         let rustc = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
         let mut folder = Command::new(rustc);
@@ -54,6 +59,7 @@ pub(crate) static WASM: Tool = Tool {
 pub(crate) static SEMVER_CHECKS: Tool = Tool {
     name: "cargo-semver-checks",
     how: "cargo install --locked cargo-semver-checks",
+    is_demanded: true,
     is_there: |root| {
         semver::baseline(root).is_none()
             || answers(&mut cargo(root, &["semver-checks", "--version"]))
