@@ -17,3 +17,4 @@ mod list;
 mod numbers;
 mod plan;
 mod row;
+mod stages;

@@ -269,7 +269,8 @@ impl<D: Destination> StagedVisitor for OfStages<'_, '_, D> {
         P: Kernel<FIXED, TABLES, RESULTS>,
     {
         let points = &mut self.evaluation.points;
-        let fixed = fixed(&points.still(self.form))?;
+        let mut numbers = [f64::NAN; Column::ALL.len()];
+        let fixed = fixed(points.still(self.form, &mut numbers)?)?;
         let tables = points.tables::<TABLES>(self.form);
         let places = array::<RESULTS>(self.places);
         if self.squares {

@@ -10,7 +10,8 @@ mod tests;
 
 use crate::batch::extremes::Itself;
 use crate::batch::statistic::{Reducer, WithGaps};
-use crate::input::{INPUTS, NumericInput, RotorParameters, Variable};
+use crate::equations::chain::Column;
+use crate::input::{NumericInput, RotorParameters, Variable};
 use crate::jeffcott::rotor::Rotor;
 use crate::quantity::Quantity;
 
@@ -68,8 +69,6 @@ pub(crate) struct Kernel<'a> {
     inputs: Vec<&'static NumericInput>,
     /// These inputs as a set, a bit for each.
     varied: u64,
-    /// The inputs that do not vary along a block.
-    fixed: Vec<&'static NumericInput>,
     row: Row,
     /// What is the same at all points of a row, whatever the block.
     of_row: Numbers,
@@ -78,8 +77,6 @@ pub(crate) struct Kernel<'a> {
     current: usize,
     /// How often a block was entered.
     entered: u64,
-    /// The last row, and whether its inputs are plain.
-    last: Option<(RotorParameters, bool)>,
     /// For each point of the row, whether its quantities are known.
     known: Vec<bool>,
     /// The quantities of a row that is reduced from its columns.
@@ -124,13 +121,11 @@ impl<'a> Kernel<'a> {
     ) -> Self {
         let inputs = inputs_among(&variables);
         let block = row::set(inputs.iter().copied());
-        let fixed = INPUTS.iter().filter(|input| !inputs.contains(input));
         Self {
             quantities,
             plan: Plan::of(quantities, Varied { block, next }, digits),
             digits,
             variables,
-            fixed: fixed.collect(),
             inputs,
             varied: block,
             row: Row::new(block),
@@ -138,7 +133,6 @@ impl<'a> Kernel<'a> {
             blocks: Vec::new(),
             current: 0,
             entered: 0,
-            last: None,
             known: Vec::new(),
             columns: Vec::new(),
         }
@@ -332,10 +326,10 @@ impl<'a> Kernel<'a> {
         row: &RotorParameters,
         speed: Option<f64>,
     ) -> Option<(Evaluation<'_>, &Plan, &[bool])> {
-        if !self.is_plain(row) {
+        self.row.update(row);
+        if !self.row.is_plain() {
             return None;
         }
-        self.row.update(row);
         let block = self.blocks.get_mut(self.current)?;
         if let Some(speed) = speed.filter(|_| block.speed.is_same()) {
             block.speed.set(speed);
@@ -347,7 +341,9 @@ impl<'a> Kernel<'a> {
             varied: self.varied,
         };
         points.compute(&self.plan.stages)?;
-        if block.inertia_of != Some(self.row.updates()) {
+        let inertias = Column::DiskPolarInertia.inputs() | Column::DiskDiametralInertia.inputs();
+        let changed = points.row.changed(inertias);
+        if block.inertia_of.is_none_or(|update| update < changed) {
             points.trust_inertia(self.plan.inertia_ratio_limit, &mut block.inertia);
             block.inertia_of = Some(self.row.updates());
         }
@@ -358,19 +354,6 @@ impl<'a> Kernel<'a> {
             counted: block.values.first()?,
         };
         Some((evaluation, &self.plan, &block.plain))
-    }
-
-    /// Whether the inputs of a row are plain, but for those that vary.
-    fn is_plain(&mut self, row: &RotorParameters) -> bool {
-        if let Some((last, is_plain)) = &self.last
-            && last == row
-        {
-            return *is_plain;
-        }
-        let mut fixed = self.fixed.iter();
-        let is_plain = fixed.all(|input| input.is_of_a_machine((input.get)(row)));
-        self.last = Some((*row, is_plain));
-        is_plain
     }
 
     /// Evaluates point by point what is not known.

@@ -13,6 +13,7 @@ use crate::jeffcott::rotor::LoadCase;
 
 use super::list::{FINITE, List, NONZERO, SIZES, Test};
 use super::row::Row;
+use super::stages::{alternatives, own, stage_of};
 
 /// What a number on the way has to be so that the results at its point are those of that rotor alone.
 const fn requirement(column: Column) -> Option<&'static Test> {
@@ -122,14 +123,8 @@ impl Numbers {
 
     /// Whether a stage, the first of its alternatives, is to be computed anew.
     fn is_stale(&self, stage: Stage, row: &Row) -> bool {
-        let (stages, inputs) = (alternatives(stage), own(stage).inputs());
-        let model = if stages.len() > 1 {
-            row.model_changed()
-        } else {
-            0
-        };
-        let changed = row.changed(inputs).max(model);
-        self.computed[stage as usize].is_none_or(|update| update < changed)
+        let renewed = row.renewed(stage);
+        self.computed[stage as usize].is_none_or(|update| update < renewed)
     }
 
     /// The update of the row at which a stage, the first of its alternatives, was computed last.
@@ -157,39 +152,6 @@ impl Numbers {
             }
         }
     }
-}
-
-/// For each stage the first column that it computes, found while the crate is built: what a stage passes on is another's.
-const OWN: [Column; Stage::ALL.len()] = {
-    let mut own = [Column::ALL[0]; Stage::ALL.len()];
-    let mut place = 0;
-    while place < own.len() {
-        let gives = Stage::ALL[place].gives();
-        let mut given = gives.len();
-        while given > 0 {
-            given -= 1;
-            let stages = gives[given].stages();
-            let mut number = 0;
-            while number < stages.len() {
-                if stages[number] as usize == place {
-                    own[place] = gives[given];
-                }
-                number += 1;
-            }
-        }
-        place += 1;
-    }
-    own
-};
-
-/// The first column that a stage computes.
-const fn own(stage: Stage) -> Column {
-    OWN[stage as usize]
-}
-
-/// The stages that give the same columns as a stage, itself among them: more than one are alternatives.
-const fn alternatives(stage: Stage) -> &'static [Stage] {
-    own(stage).stages()
 }
 
 /// Runs the rows of a stage, from lists to lists.
@@ -362,12 +324,7 @@ impl Points<'_> {
             if self.varies(*column) {
                 continue;
             }
-            let number = if column.stages().is_empty() {
-                self.row.number(*column)
-            } else {
-                self.of_row.list(*column).number()
-            };
-            self.of_block.set(*column, number);
+            self.of_block.set(*column, self.number(*column));
         }
     }
 
@@ -443,13 +400,27 @@ impl Points<'_> {
         Some(())
     }
 
-    /// The numbers that a staged form takes once, of the first point.
-    pub(super) fn still(&mut self, form: Staged) -> Vec<f64> {
-        self.take(form.still());
-        let columns = form.still().iter();
-        columns
-            .map(|column| self.of_block.list(*column).number())
-            .collect()
+    /// The number of a column that is the same at all points.
+    fn number(&self, column: Column) -> f64 {
+        if column.stages().is_empty() {
+            self.row.number(column)
+        } else {
+            self.of_row.list(column).number()
+        }
+    }
+
+    /// Writes the numbers that a staged form takes once, those of the first point; none where there is no room for them.
+    pub(super) fn still<'n>(&self, form: Staged, numbers: &'n mut [f64]) -> Option<&'n [f64]> {
+        let columns = form.still();
+        let numbers = numbers.get_mut(..columns.len())?;
+        for (number, column) in numbers.iter_mut().zip(columns) {
+            *number = if self.varies(*column) {
+                self.of_block.list(*column).number()
+            } else {
+                self.number(*column)
+            };
+        }
+        Some(numbers)
     }
 
     /// The tables of a staged form.
@@ -467,15 +438,5 @@ impl Points<'_> {
         });
         // Each marks its own.
         marked.fold(true, |all, of_stage| all & of_stage)
-    }
-}
-
-/// The stage that computes the loads in a case.
-const fn stage_of(case: LoadCase) -> Stage {
-    match case {
-        LoadCase::SupportArm => Stage::SupportArm,
-        LoadCase::MidspanArm => Stage::MidspanArm,
-        LoadCase::SimplySupportedLeft => Stage::SimplySupportedLeft,
-        LoadCase::SimplySupportedRight => Stage::SimplySupportedRight,
     }
 }

@@ -10,6 +10,29 @@ use crate::jeffcott::region::{Region, RegionKind};
 use crate::jeffcott::rotor::Rotor;
 use crate::quantity::{Measure, Quantity, Subject};
 
+/// Every plain quantity is a column of one of the four stages that [`OneRotor::plain`] looks into.
+const _: () = {
+    let mut place = 0;
+    while place < Quantity::ALL.len() {
+        if let (Subject::Plain, Some(column)) = (
+            Quantity::ALL[place].subject(),
+            Quantity::ALL[place].column(),
+        ) {
+            assert!(
+                matches!(
+                    column.stages(),
+                    [Stage::CrackCompliance
+                        | Stage::Stiffness
+                        | Stage::ReferenceSpeed
+                        | Stage::Coefficients]
+                ),
+                "a plain quantity is of a stage that `OneRotor::plain` does not know"
+            );
+        }
+        place += 1;
+    }
+};
+
 /// What the quantities of one rotor have in common, each computed at its first use.
 pub(crate) struct OneRotor<'a> {
     rotor: &'a Rotor,

@@ -1,7 +1,9 @@
 //! The inputs of a row: what all points of a block share, and when each of it changed last.
 
-use crate::equations::chain::Column;
+use crate::equations::chain::{Column, Stage};
 use crate::input::{INPUTS, NumericInput, RotorParameters, place_of};
+
+use super::stages::{alternatives, own};
 
 /// The place in [`INPUTS`] of what is in each of the chain's first columns; none for what is no number of its own, as the edge's factor.
 const PLACES: [Option<usize>; Column::INPUTS] = {
@@ -12,6 +14,16 @@ const PLACES: [Option<usize>; Column::INPUTS] = {
         column += 1;
     }
     places
+};
+
+/// Every input has a column: what [`Row::is_plain`] says holds for all of them.
+const _: () = {
+    let (mut place, mut inputs) = (0, 0);
+    while place < PLACES.len() {
+        inputs += PLACES[place].is_some() as usize;
+        place += 1;
+    }
+    assert!(inputs == INPUTS.len());
 };
 
 /// The column of an input, if anything depends on it.
@@ -38,9 +50,12 @@ pub(super) struct Row {
     /// How many rows have had other inputs than the row before.
     updates: u64,
     numbers: [f64; Column::INPUTS],
-    /// The update with which each number, and the crack's model, changed last.
+    /// The update with which each number changed last.
     changed: [u64; Column::INPUTS],
-    model_changed: u64,
+    /// The update with which something changed last on which each stage depends.
+    renewed: [u64; Stage::ALL.len()],
+    /// The inputs whose values no machine has, a bit each.
+    unusual: u64,
 }
 
 impl Row {
@@ -52,7 +67,8 @@ impl Row {
             updates: 0,
             numbers: [f64::NAN; Column::INPUTS],
             changed: [0; Column::INPUTS],
-            model_changed: 0,
+            renewed: [0; Stage::ALL.len()],
+            unusual: 0,
         }
     }
 
@@ -62,6 +78,7 @@ impl Row {
             return;
         }
         self.updates += 1;
+        let mut inputs = 0;
         for (place, input) in PLACES.iter().enumerate() {
             let edge = || parameters.crack_edge.factor();
             let number = input.map_or_else(edge, |input| (INPUTS[input].get)(parameters));
@@ -69,12 +86,24 @@ impl Row {
             if !varies && number.to_bits() != self.numbers[place].to_bits() {
                 self.numbers[place] = number;
                 self.changed[place] = self.updates;
+                inputs |= 1 << place;
+                let is_plain = input.is_none_or(|input| INPUTS[input].is_of_a_machine(number));
+                self.unusual = self.unusual & !(1 << place) | u64::from(!is_plain) << place;
             }
         }
-        if self.parameters.map(|last| last.crack_model) != Some(parameters.crack_model) {
-            self.model_changed = self.updates;
+        // Which of the stages that stand for each other is computed, the crack's model decides.
+        let model = self.parameters.map(|last| last.crack_model) != Some(parameters.crack_model);
+        for (stage, renewed) in Stage::ALL.into_iter().zip(&mut self.renewed) {
+            if own(stage).inputs() & inputs != 0 || model && alternatives(stage).len() > 1 {
+                *renewed = self.updates;
+            }
         }
         self.parameters = Some(*parameters);
+    }
+
+    /// Whether the inputs that do not vary along a block have values as machines have them.
+    pub(super) const fn is_plain(&self) -> bool {
+        self.unusual == 0
     }
 
     /// The number of an input.
@@ -92,9 +121,9 @@ impl Row {
         among.map(|(_, update)| *update).max().unwrap_or_default()
     }
 
-    /// The update with which the crack's model changed last.
-    pub(super) const fn model_changed(&self) -> u64 {
-        self.model_changed
+    /// The update with which something changed last on which a stage depends.
+    pub(super) const fn renewed(&self, stage: Stage) -> u64 {
+        self.renewed[stage as usize]
     }
 
     /// How many rows have had other inputs than the row before.

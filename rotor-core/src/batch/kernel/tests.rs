@@ -1,6 +1,7 @@
 use super::*;
 use crate::batch::plan::Way;
 use crate::batch::statistic::Wanted;
+use crate::input::INPUTS;
 
 /// A rotor that has all three regions: the paper's with half the polar inertia.
 const BASE: RotorParameters = RotorParameters {
