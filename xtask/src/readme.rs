@@ -10,7 +10,12 @@ use crate::{Outcome, names};
 const RELEASE: &str = "cargo run --release";
 
 /// The documents whose links are followed.
-const DOCUMENTS: [&str; 3] = ["README.md", "ARCHITECTURE.md", "CHANGELOG.md"];
+const DOCUMENTS: [&str; 4] = [
+    "README.md",
+    "ARCHITECTURE.md",
+    "CHANGELOG.md",
+    "CONTRIBUTING.md",
+];
 
 /// The files and pictures that the documents link to and that are not there.
 pub(crate) fn missing_files(root: &Path) -> Vec<String> {
