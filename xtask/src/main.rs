@@ -158,7 +158,7 @@ fn names() -> impl Iterator<Item = &'static str> {
 fn help() -> String {
     let mut text = String::from(
         "cargo xtask test      all of these, in this order, until one fails; what needs a tool that is not there is\n\
-        \x20                     left out, which the end says; with --all, or where CI is set, it fails\n",
+        \x20                     left out, which the end says; with --all it fails, and where CI is set if packages have it\n",
     );
     for step in &STEPS {
         text.push_str(&format!(

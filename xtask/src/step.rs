@@ -21,6 +21,8 @@ pub(crate) struct Step {
 pub(crate) enum Missing {
     /// The step is left out, and the end of the run says so.
     LeftOut,
+    /// Nothing is run and the run fails, if the tool is one that continuous integration demands.
+    FailureIfDemanded,
     /// Nothing is run, and the run fails.
     Failure,
 }
@@ -31,8 +33,10 @@ impl Missing {
     pub(crate) fn of(all: bool, ci: Option<&str>) -> Self {
         // Values by which a machine says that it is none.
         let is_ci = ci.is_some_and(|value| !["", "0", "false"].contains(&value));
-        if all || is_ci {
+        if all {
             Self::Failure
+        } else if is_ci {
+            Self::FailureIfDemanded
         } else {
             Self::LeftOut
         }
@@ -65,7 +69,12 @@ impl<'a> Choice<'a> {
         }
         let choice = Self { run, left_out };
         let mut tools = choice.left_out.iter().map(|(_, tool)| tool);
-        if missing == Missing::Failure && tools.any(|tool| tool.is_demanded) {
+        let fails = |tool: &&'static Tool| match missing {
+            Missing::LeftOut => false,
+            Missing::FailureIfDemanded => tool.is_demanded,
+            Missing::Failure => true,
+        };
+        if tools.any(fails) {
             return Err(format!("a tool is missing:\n{}", choice.reasons()));
         }
         Ok(choice)
@@ -129,8 +138,9 @@ mod tests {
     fn what_no_registry_has_is_left_out_everywhere() {
         let steps = [step("lint", None), step("portable", Some(&WASM))];
         let without_it = |tool: &Tool| tool.name != WASM.name;
-        let choice = Choice::of(&steps, without_it, Missing::Failure).unwrap();
+        let choice = Choice::of(&steps, without_it, Missing::FailureIfDemanded).unwrap();
         assert_eq!(names(&choice), ["lint"]);
+        assert!(Choice::of(&steps, without_it, Missing::Failure).is_err());
     }
 
     #[test]
@@ -161,8 +171,8 @@ mod tests {
     fn all_steps_are_asked_for_by_the_option_or_by_continuous_integration() {
         assert_eq!(Missing::of(false, None), Missing::LeftOut);
         assert_eq!(Missing::of(true, None), Missing::Failure);
-        assert_eq!(Missing::of(false, Some("true")), Missing::Failure);
-        assert_eq!(Missing::of(false, Some("1")), Missing::Failure);
+        assert_eq!(Missing::of(false, Some("true")), Missing::FailureIfDemanded);
+        assert_eq!(Missing::of(false, Some("1")), Missing::FailureIfDemanded);
         for none in ["", "0", "false"] {
             assert_eq!(Missing::of(false, Some(none)), Missing::LeftOut, "{none:?}");
         }
