@@ -2,6 +2,19 @@
 //! [corrections](crate::corrections) to the printed text.
 //!
 //! A file for each subject, in the order in which a rotor passes; each links those whose formulas it calls.
+//!
+//! A formula is a function, and the generated forms stand in a module of its name:
+//!
+//! ```
+//! use rotor_core::equations;
+//! use rotor_core::jeffcott::rotor::Rotor;
+//!
+//! let c = Rotor::paper().coefficients()?;
+//! let (width, by_coefficients) = equations::sir_width::gradient(&c);
+//! assert!((width - equations::sir_width(&c)).abs() < 1e-14);
+//! println!("the width changes by {:?} per unit of each coefficient", by_coefficients);
+//! # Ok::<(), rotor_core::error::Error>(())
+//! ```
 
 mod compliance;
 mod frequency;

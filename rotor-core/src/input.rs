@@ -2,6 +2,19 @@
 //!
 //! [`RotorParameters`] is plain data, [`INPUTS`] the table of its numeric fields with what each allows. Validation, files, columns
 //! and help texts all read this table.
+//!
+//! ```
+//! use rotor_core::input::{INPUTS, NumericInput, RotorParameters};
+//!
+//! let depth = NumericInput::find("crack.depth_ratio").ok_or("no such input")?;
+//! let mut parameters = RotorParameters::PAPER;
+//! (depth.set)(&mut parameters, 0.1);
+//! assert_eq!((depth.get)(&parameters), 0.1);
+//! for input in &INPUTS {
+//!     println!("{} [{}]: {}; {}", input.name, input.unit, input.description, input.allowed);
+//! }
+//! # Ok::<(), &str>(())
+//! ```
 
 use std::f64::consts::TAU;
 use std::fmt;

@@ -1,4 +1,15 @@
 //! Every result by its name, for tables, files and the command line.
+//!
+//! ```
+//! use rotor_core::jeffcott::rotor::Rotor;
+//! use rotor_core::quantity::Quantity;
+//!
+//! let width: Quantity = "sir_width".parse()?;
+//! assert_eq!(width, Quantity::SirWidth);
+//! let value = width.evaluate(&Rotor::paper())?;
+//! println!("{} = {value} {}", width.symbol(), width.unit());
+//! # Ok::<(), rotor_core::error::Error>(())
+//! ```
 
 use std::fmt;
 use std::str::FromStr;

@@ -1,5 +1,14 @@
 //! What is odd about a rotor though it can be computed: moments of inertia of no rigid body, and numbers that look as
 //! if they were given in another unit.
+//!
+//! ```
+//! use rotor_core::input::RotorParameters;
+//! use rotor_core::warning::warnings;
+//!
+//! let in_millimetres = RotorParameters { shaft_length: 700.0, ..RotorParameters::PAPER };
+//! let said: Vec<String> = warnings(&in_millimetres).map(|warning| warning.to_string()).collect();
+//! assert_eq!(said, ["shaft_length is 700 m; is it in millimetres?"]);
+//! ```
 
 use thiserror::Error;
 

@@ -9,6 +9,19 @@
 //! ways of [`periodic`](crate::periodic) agree with the quartic to about 1e-11 away from the ends at moderate speeds; Hill's
 //! method loses up to 5 ε Ω² at high ones, where the combination region lies for β near 2 (3e-8 at Ω = 10 000). At an end the
 //! multipliers are defective, and the general ways, which do not know the structure, keep only half of the digits there.
+//!
+//! ```
+//! use rotor_core::jeffcott::exact;
+//! use rotor_core::jeffcott::rotor::Rotor;
+//!
+//! let c = Rotor::paper().coefficients()?;
+//! let ends = exact::simple_region_ends(&c)?;
+//! let middle = 0.5 * (ends[0] + ends[1]);
+//! assert!(exact::growth_rate(&c, middle)? > 0.0);
+//! // Undamped motion neither grows nor decays where it is stable: the rate is 0.0 exactly.
+//! assert_eq!(exact::growth_rate(&c, 0.5 * ends[0])?, 0.0);
+//! # Ok::<(), rotor_core::error::Error>(())
+//! ```
 
 mod combination;
 mod double_double;

@@ -3,6 +3,19 @@
 //! [`Rotor`] is what has passed [`INPUTS`]. Every formula is called from
 //! [`equations`]; this module only decides which lever arm and which edge
 //! factor they get, and refuses what double precision cannot hold.
+//!
+//! ```
+//! use rotor_core::input::RotorParameters;
+//! use rotor_core::jeffcott::rotor::Rotor;
+//!
+//! let rotor = Rotor::new(RotorParameters { shaft_radius: 0.06, ..RotorParameters::PAPER })?;
+//! let thicker = rotor.with(|p| p.shaft_radius *= 1.1)?;
+//! assert!(thicker.reference_speed()? > rotor.reference_speed()?);
+//! // What no rotor has is refused by name.
+//! let error = rotor.with(|p| p.crack_depth_ratio = 1.5).unwrap_err();
+//! assert_eq!(error.to_string(), "crack_depth_ratio is 1.5; it must be >= 0 and <= 1");
+//! # Ok::<(), rotor_core::error::Error>(())
+//! ```
 
 #[cfg(test)]
 mod tests;

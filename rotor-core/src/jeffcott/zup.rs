@@ -1,4 +1,21 @@
 //! Zero unstable points (ZUP): the crack angle, depth and position that close a region, Eq. (32).
+//!
+//! ```
+//! use rotor_core::jeffcott::region::RegionKind;
+//! use rotor_core::jeffcott::rotor::Rotor;
+//! use rotor_core::jeffcott::zup::zup_depth;
+//!
+//! // The crack that closes the simple region of the paper's rotor, and the angle that it has to have.
+//! let rotor = Rotor::paper();
+//! let closing = zup_depth(&rotor, RegionKind::Simple)?;
+//! let [point] = closing[..] else { panic!("one depth") };
+//! let cracked = rotor.with(|p| {
+//!     p.crack_depth_ratio = point.value;
+//!     p.crack_angle = point.crack_angle;
+//! })?;
+//! assert!(cracked.region(RegionKind::Simple)?.width()? < 1e-9);
+//! # Ok::<(), rotor_core::error::Error>(())
+//! ```
 
 mod roots;
 

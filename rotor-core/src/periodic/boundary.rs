@@ -193,7 +193,7 @@ fn end_near(
         let speed = inside.0 + part * (expected - inside.0);
         match rates.sample(speed)? {
             Some(sample) => samples.push(sample),
-            None => return Ok(refine(rates, samples, speed)?),
+            None => return refine(rates, samples, speed),
         }
     }
     let outwards = width.copysign(expected - inside.0);
@@ -202,7 +202,7 @@ fn end_near(
         // The lower end of a wide region may be near to rest.
         let stands = speed <= 0.0;
         if stands || rates.sample(speed)?.is_none() {
-            return Ok(refine(rates, samples, speed.max(0.0))?);
+            return refine(rates, samples, speed.max(0.0));
         }
     }
     // Where the expected growth rate goes on as well, another region does.
@@ -267,7 +267,7 @@ fn end_within(rates: &Rates<'_>, inside: Sample, step: f64, reach: f64) -> Resul
     while speed > 0.0 && (speed - inside.0).abs() <= reach {
         match rates.sample(speed)? {
             Some(sample) => samples.push(sample),
-            None => return Ok(refine(rates, samples, speed)?),
+            None => return refine(rates, samples, speed),
         }
         step *= LONGER;
         speed += step;

@@ -12,6 +12,21 @@
 //! So the sound copies are the central ones, not those with an imaginary part in a certain strip (the dominant
 //! harmonic of a fast whirl is far from the strip at a low speed). The centre Σ k|q_k|² / Σ|q_k|² moves by one from
 //! copy to copy, hence each exponent has a copy with a centre within ±1/2, and only those are kept.
+//!
+//! Mathieu's equation y'' + (a − 2q cos 2t) y = 0 grows by about q/2 in the middle of its first region, a = 1:
+//!
+//! ```
+//! use nalgebra::DMatrix;
+//! use rotor_core::periodic::{FourierMatrix, PeriodicSystem, hill};
+//!
+//! let number = |x| DMatrix::from_element(1, 1, x);
+//! let q = 0.1;
+//! let stiffness = FourierMatrix::constant(number(1.0)).with_harmonic(1, number(-2.0 * q), number(0.0));
+//! let system = PeriodicSystem::new(2.0, number(1.0), number(0.0), stiffness)?;
+//! let growth = hill::growth_rate(&system, 8)?;
+//! assert!((growth - 0.5 * q).abs() < 1e-3);
+//! # Ok::<(), rotor_core::error::Error>(())
+//! ```
 
 use nalgebra::{Complex, DMatrix, DVector, Schur};
 
