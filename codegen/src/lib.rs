@@ -142,7 +142,7 @@
 //! rewriting cheap to state. [`graph`] lists its invariants; the one that matters most to an author: **nothing is ever
 //! multiplied out**, the structure of a formula is its author's knowledge about rounding.
 //!
-//! Then it is a [`Circuit`](factor::circuit::Circuit), in which every operation that will be done is visible and is
+//! Then it is a [`Circuit`](circuit::Circuit), in which every operation that will be done is visible and is
 //! counted: operands come before their users, sums and products are taken apart as they will be computed, a division is an
 //! operation of its own. What is counted is what is emitted.
 //!

@@ -1,6 +1,6 @@
 //! What can go wrong, in one type for the whole crate.
 //!
-//! [`Error`] says of what kind a failure is; each kind has a type of its own with the numbers that its message names, so that a
+//! [`enum@Error`] says of what kind a failure is; each kind has a type of its own with the numbers that its message names, so that a
 //! program can tell them apart. Messages name the quantity, its value and what is allowed.
 //!
 //! ```
@@ -21,8 +21,6 @@ mod region;
 mod study;
 mod system;
 
-use thiserror::Error;
-
 pub use boundary::BoundaryError;
 pub use input::InputError;
 pub use region::RegionError;
@@ -32,7 +30,7 @@ pub use system::SystemError;
 pub(crate) use system::require;
 
 /// Why something could not be answered.
-#[derive(Clone, Debug, Error, PartialEq)]
+#[derive(Clone, Debug, thiserror::Error, PartialEq)]
 #[error(transparent)]
 #[non_exhaustive]
 pub enum Error {

@@ -183,7 +183,7 @@ impl<N: Number> Prepared<N> {
         self.at_with(symbols, &mut Vec::new())
     }
 
-    /// Evaluates at a point as [`Self::evaluate`] does, in memory that the caller keeps for the next point.
+    /// Evaluates at a point as [`at`](Self::at) does, in memory that the caller keeps for the next point.
     pub fn at_with(&self, symbols: &[N], values: &mut Vec<N>) -> Vec<N> {
         values.clear();
         values.reserve(self.steps.len());

@@ -18,7 +18,7 @@ impl Model for Coefficients {
     ///
     /// # Errors
     ///
-    /// [`SystemError::OutOfRange`] for a speed that is not positive and finite, a coefficient that is not finite or
+    /// [`SystemError::OutOfRange`](crate::error::SystemError::OutOfRange) for a speed that is not positive and finite, a coefficient that is not finite or
     /// |Δ_d| ≥ 1.
     fn system(&self, speed: f64) -> Result<PeriodicSystem, Error> {
         let c = self;

@@ -40,7 +40,7 @@ const ROUNDING: f64 = 1e-11;
 ///
 /// # Errors
 ///
-/// [`SystemError::OutOfRange`] for a `start` that is not positive and finite or coefficients that are not finite;
+/// [`SystemError::OutOfRange`](crate::error::SystemError::OutOfRange) for a `start` that is not positive and finite or coefficients that are not finite;
 /// [`RegionError::StiffnessNotPositive`] where δ ≤ γ²; [`RegionError::NoExactEnds`] where β ≥ 2, or where
 /// no such pair of ends exists near the start because the region has merged with others.
 pub fn combination_ends(c: &Coefficients, start: f64) -> Result<Ends, Error> {
