@@ -317,6 +317,23 @@ mod tests {
     }
 
     #[test]
+    fn no_value_leaves_the_ends_by_rounding() {
+        // 0.5 is the greatest ratio there is: a greater one is no rotor's.
+        let ratio = input("shaft_poissons_ratio");
+        for start in [0.5, 0.3, 0.1_f64] {
+            for (count, stop) in
+                (2..300).flat_map(|count| [(count, start), (count, start.next_down())])
+            {
+                let linear = Axis::linear(ratio, (start, stop), count).unwrap();
+                let logarithmic = Axis::logarithmic(ratio, (start, stop), count).unwrap();
+                for value in [linear, logarithmic].iter().flat_map(all) {
+                    assert!((stop..=start).contains(&value), "{value} of {count}");
+                }
+            }
+        }
+    }
+
+    #[test]
     fn any_part_of_an_axis_is_the_same_as_that_part_of_the_whole() {
         let normal = Distribution::Normal {
             mean: 0.2,
