@@ -36,6 +36,10 @@ use crate::error::{Error, SystemError, require};
 /// How far from 0 the centre of a kept copy may lie: one half, and room for what truncation moves.
 const CENTRAL: f64 = 0.6;
 
+/// The largest entry of an eigenvector that is not scaled down. In a chain of equal eigenvalues each entry may be 1/epsilon times
+/// the one before; from this size on a few more leave the squares of entries within the range of doubles.
+const LARGEST: f64 = 1e100;
+
 /// More than any system needs: the matrix of a rotor with four degrees of freedom then takes 4 GB.
 const MOST_HARMONICS: usize = 1000;
 
@@ -182,9 +186,8 @@ fn triangular_eigenvector(
             difference
         };
         vector[row] = known / divisor;
-        // Long chains of near-equal eigenvalues would overflow.
         let size = vector[row].norm();
-        if size > 1e100 {
+        if size > LARGEST {
             vector /= Complex::new(size, 0.0);
         }
     }
@@ -201,4 +204,23 @@ fn center(vector: &DVector<Complex<f64>>, harmonics: usize) -> f64 {
         moment += harmonic * entry.norm_sqr();
     }
     moment / weight
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_long_chain_of_equal_eigenvalues_does_not_overflow() {
+        const LENGTH: usize = 40;
+        let is_chained = |row: usize, column: usize| row == column || row + 1 == column;
+        let chain = DMatrix::from_fn(LENGTH, LENGTH, |row, column| {
+            Complex::new(f64::from(is_chained(row, column)), 0.0)
+        });
+        // It has one eigenvector, the first unit vector.
+        let vector = triangular_eigenvector(&chain, LENGTH - 1);
+        let first = vector[0].norm();
+        let rest = vector.rows(1, LENGTH - 1).norm();
+        assert!(first.is_finite() && rest <= 1e-15 * first, "{first} {rest}");
+    }
 }
