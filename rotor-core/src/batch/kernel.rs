@@ -383,8 +383,7 @@ impl<'a> Kernel<'a> {
             for (quantity, result) in self.quantities.iter().zip(results.iter_mut()) {
                 let value = of_all.as_ref().or(alone.as_ref());
                 let value = value.and_then(|shared| shared.get(*quantity, speed).ok());
-                // A zero has no sign.
-                result[point] = value.map_or(f64::NAN, |value| value + 0.0);
+                result[point] = value.unwrap_or(f64::NAN);
             }
         }
         Evaluated {

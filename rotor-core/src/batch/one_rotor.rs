@@ -82,7 +82,7 @@ impl<'a> OneRotor<'a> {
 
     /// The quantity, at a speed if it needs one.
     pub(crate) fn get(&self, quantity: Quantity, speed: Option<f64>) -> Result<f64, Error> {
-        Ok(match quantity.subject() {
+        let number = match quantity.subject() {
             Subject::Plain => self.plain(quantity)?,
             Subject::Region(region, Measure::Start) => self.region(region)?.start(),
             Subject::Region(region, Measure::Width) => self.region(region)?.width()?,
@@ -97,7 +97,9 @@ impl<'a> OneRotor<'a> {
                 })?;
                 exact::growth_rate(self.coefficients()?, speed)?
             }
-        })
+        };
+        // A zero has no sign.
+        Ok(number + 0.0)
     }
 
     /// A column of the chain of equations.
