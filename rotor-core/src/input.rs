@@ -22,6 +22,8 @@ use std::ops::RangeInclusive;
 
 mod choice;
 pub mod name;
+#[cfg(test)]
+mod tests;
 mod variable;
 
 pub use choice::{CrackEdge, CrackModel, UnknownChoice};
@@ -173,37 +175,24 @@ impl fmt::Display for Allowed {
 pub(crate) struct Sizes {
     above: f64,
     below: f64,
-    /// Whether zero is a size too.
-    with_zero: bool,
 }
 
 impl Sizes {
     const fn between(above: f64, below: f64) -> Self {
-        Self {
-            above,
-            below,
-            with_zero: false,
-        }
+        Self { above, below }
     }
 
     /// Lengths and stiffnesses.
     const MEASURE: Self = Self::between(1e-4, 1e12);
     const INERTIA: Self = Self::between(1e-12, 1e12);
     const INSIDE_SPAN: Self = Self::between(1e-4, 1.0 - 1e-4);
-    const RATIO: Self = Self {
-        with_zero: true,
-        ..Self::between(1e-9, f64::INFINITY)
-    };
-    const ANY: Self = Self {
-        with_zero: true,
-        ..Self::between(0.0, f64::INFINITY)
-    };
+    const ANY: Self = Self::between(0.0, f64::INFINITY);
 
-    /// Whether a value has such a size; without branches, so that a list is looked through in packs.
+    /// Whether a value has such a size, or is zero; without branches, so that a list is looked through in packs.
     #[inline]
     pub(crate) fn contain(&self, value: f64) -> bool {
         let size = value.abs();
-        ((size > self.above) & (size < self.below)) | ((size == 0.0) & self.with_zero)
+        ((size > self.above) & (size < self.below)) | (size == 0.0)
     }
 }
 
@@ -288,13 +277,13 @@ const TABLE: [NumericInput; 12] = [
     input!(disk_mass, "disk", "mass", "m_d", "kg", Allowed::POSITIVE, Sizes::INERTIA, "mass of the disk"),
     input!(disk_diametral_inertia, "disk", "diametral_inertia", "I_d", "kg m²", Allowed::POSITIVE, Sizes::INERTIA, "mean diametral inertia of the disk"),
     input!(disk_polar_inertia, "disk", "polar_inertia", "I_p", "kg m²", Allowed::POSITIVE, Sizes::INERTIA, "polar inertia of the disk"),
-    input!(disk_asymmetry, "disk", "asymmetry", "Δ_d", "", DISK_ASYMMETRY, Sizes::RATIO, "relative inertia asymmetry of the disk"),
+    input!(disk_asymmetry, "disk", "asymmetry", "Δ_d", "", DISK_ASYMMETRY, Sizes::ANY, "relative inertia asymmetry of the disk"),
     input!(disk_position_ratio, "disk", "position_ratio", "l_d/L", "", Allowed::INSIDE_SPAN, Sizes::INSIDE_SPAN, "position of the disk over the shaft's length"),
     input!(shaft_length, "shaft", "length", "L", "m", Allowed::POSITIVE, Sizes::MEASURE, "length of the shaft between its supports").at_most(LONGEST_SHAFT),
     input!(shaft_radius, "shaft", "radius", "R", "m", Allowed::POSITIVE, Sizes::MEASURE, "radius of the shaft").at_most(THICKEST_SHAFT),
     input!(shaft_youngs_modulus, "shaft", "youngs_modulus", "E", "Pa", Allowed::POSITIVE, Sizes::MEASURE, "Young's modulus of the shaft"),
     input!(shaft_poissons_ratio, "shaft", "poissons_ratio", "ν", "", POISSONS_RATIO, Sizes::ANY, "Poisson's ratio of the shaft"),
-    input!(crack_depth_ratio, "crack", "depth_ratio", "σ", "", CRACK_DEPTH, Sizes::RATIO, "depth of the crack over the shaft's radius"),
+    input!(crack_depth_ratio, "crack", "depth_ratio", "σ", "", CRACK_DEPTH, Sizes::ANY, "depth of the crack over the shaft's radius"),
     input!(crack_position_ratio, "crack", "position_ratio", "l_c/L", "", Allowed::INSIDE_SPAN, Sizes::INSIDE_SPAN, "position of the crack over the shaft's length"),
     input!(crack_angle, "crack", "angle", "φ", "rad", Allowed::FINITE, Sizes::ANY, "angle between the crack and the disk's major axis").at_most(TAU),
 ];
