@@ -182,8 +182,8 @@ const DEPTHS: i32 = 128;
 const POSITIONS: i32 = 128;
 /// The supports themselves are no position of a crack.
 const NEAR_SUPPORT: f64 = 1e-6;
-/// How far from $\pm\Delta_d$ the closing asymmetry of an accepted root may be. At a pole or a jump
-/// it is far off; at a root found to the last digit it is wrong by rounding times the slope.
+/// How far from $\pm\Delta_d$ the closing asymmetry of an accepted root may be. Where the crack passes the disk it jumps, and
+/// is far off; at a root found to the last digit it is wrong by rounding times the slope.
 const ACCEPTED: f64 = 1e-9;
 /// Roundings of each term of the closing asymmetry: ten in each frequency, and its operations.
 const CLOSING_ROUNDINGS: f64 = 32.0;
