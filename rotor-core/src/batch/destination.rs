@@ -262,3 +262,62 @@ impl Destination for Reducer {
         Some(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::batch::extremes::Itself;
+    use crate::batch::statistic::{Statistic, Wanted, WithoutGaps};
+
+    /// Numbers, what they have to be, and which of them are that.
+    const CASES: [([f64; 3], Requirement, [bool; 3]); 5] = [
+        ([1.0, -2.0, 0.0], FINITE_NUMBER, [true, true, true]),
+        (
+            [1.0, f64::NEG_INFINITY, 3.0],
+            FINITE_NUMBER,
+            [true, false, true],
+        ),
+        ([1.0, f64::NAN, 3.0], FINITE_NUMBER, [true, false, true]),
+        ([1.0, 0.0, -3.0], POSITIVE_NUMBER, [true, false, false]),
+        (
+            [1.0, 2.0, f64::INFINITY],
+            POSITIVE_NUMBER,
+            [true, true, false],
+        ),
+    ];
+
+    #[test]
+    fn numbers_that_are_not_what_they_have_to_be_are_left_to_one_rotor() {
+        for (values, requirement, expected) in CASES {
+            let (mut column, mut known) = ([0.0; 3], [true; 3]);
+            let mut columns = Columns {
+                results: &mut [&mut column],
+                known: &mut known,
+                all_are_known: true,
+                has_gaps: false,
+            };
+            columns
+                .take::<Itself, WithoutGaps, 0, 1, 1>([Some(0)], requirement, &[], [&values])
+                .unwrap();
+            let all = columns.all_are_known;
+            assert_eq!(known, expected, "{values:?}");
+            assert_eq!(all, expected == [true; 3], "{values:?}");
+        }
+    }
+
+    #[test]
+    fn numbers_that_are_not_what_they_have_to_be_are_not_reduced() {
+        for (values, requirement, expected) in CASES {
+            let mut wanted = Wanted::default();
+            wanted.add(Statistic::Maximum);
+            let mut reducer = Reducer::new(wanted, &[], 1);
+            let taken = reducer.take::<Itself, WithoutGaps, 0, 1, 1>(
+                [Some(0)],
+                requirement,
+                &[],
+                [&values],
+            );
+            assert_eq!(taken.is_some(), expected == [true; 3], "{values:?}");
+        }
+    }
+}
