@@ -1,13 +1,16 @@
 //! Circuits to Rust.
 //!
 //! [`literal`] and [`namer`] alone decide how numbers and temporaries are written; [`expression`] puts an operation into
-//! tokens, [`scalar`] and [`columns`] put a function around them; `roots` shares roots between divider and multipliers.
+//! tokens, [`scalar`] and [`columns`] put a function around them; `roots` shares roots between divider and multipliers,
+//! `parts` cuts long bodies, `grouped` writes the loops of their parts.
 
 pub mod chain;
 pub mod columns;
 pub mod expression;
+mod grouped;
 pub mod literal;
 pub mod namer;
+mod parts;
 mod polynomial;
 mod roots;
 pub mod scalar;

@@ -6,7 +6,7 @@
 
 use fearless_simd::Simd;
 
-use crate::kernel::{Kernel, LONGEST, LengthError, check, lengthened, packs, slices, splats};
+use crate::kernel::{Kernel, LONGEST, LengthError, check, lengthened, slices, splats, stretch};
 use crate::level::{self, Body, Level};
 use crate::pack::Pack;
 
@@ -122,25 +122,25 @@ where
         if whole < self.rows {
             rest = lengthened(&self.along, whole);
         }
-        let packs_of_rest = (self.rows - whole).min(1) * length;
         // Whole packs, then the pack with the last rows, in one loop: as in `Store` the kernel is called at one place only.
         let parts = [
             (self.along, whole, 0, length),
-            (slices(&rest), packs_of_rest, whole, self.rows - whole),
+            (slices(&rest), length, whole, self.rows - whole),
         ];
+        let count = 1 + usize::from(whole < self.rows);
         let fixed = splats(simd, self.fixed);
-        let mut lanes = self.consumer.begin(simd);
-        for (mut along, rows, first, here) in parts {
-            for column in 0..ALONG {
-                along[column] = &along[column][..rows];
-            }
-            let mut row = 0;
-            while row + length <= rows {
-                let results = K::evaluate(simd, fixed, packs(simd, &along, row));
-                self.consumer.take(&mut lanes, first + row, here, &results);
-                row += length;
-            }
+        let consumer = self.consumer;
+        let mut lanes = consumer.begin(simd);
+        for (along, rows, first, here) in &parts[..count] {
+            let (first, here) = (*first, *here);
+            K::for_each_pack(
+                simd,
+                fixed,
+                stretch(along, 0, *rows),
+                #[inline(always)]
+                |row, results| consumer.take(&mut lanes, first + row, here, &results),
+            );
         }
-        self.consumer.end(lanes)
+        consumer.end(lanes)
     }
 }

@@ -22,6 +22,23 @@ pub trait Kernel<const FIXED: usize, const ALONG: usize, const RESULTS: usize> {
         fixed: [Pack<S>; FIXED],
         along: [Pack<S>; ALONG],
     ) -> [Pack<S>; RESULTS];
+
+    /// Computes the results of pack after pack of columns, which have one length, a multiple of a pack's; `take` gets the first
+    /// row of each pack and its results. A long body does it in parts, see [`Groups`](crate::Groups).
+    #[inline(always)]
+    fn for_each_pack<S: Simd>(
+        simd: S,
+        fixed: [Pack<S>; FIXED],
+        along: [&[f64]; ALONG],
+        mut take: impl FnMut(usize, [Pack<S>; RESULTS]),
+    ) {
+        let rows = along.first().map_or(0, |column| column.len());
+        let mut row = 0;
+        while row < rows {
+            take(row, Self::evaluate(simd, fixed, packs(simd, &along, row)));
+            row += Pack::<S>::LENGTH;
+        }
+    }
 }
 
 /// How many numbers the longest pack holds: that of AVX-512.
@@ -307,21 +324,30 @@ where
     fn write<S: Simd>(self, simd: S) {
         let fixed = splats(simd, self.fixed);
         let length = Pack::<S>::LENGTH;
-        let last = self.rows.saturating_sub(length);
-        let mut row = 0;
-        loop {
-            // The one call of the kernel in this loop: each would be a copy of what may be thousands of instructions.
-            let values = K::evaluate(simd, fixed, packs(simd, &self.along, row));
-            for position in 0..RESULTS {
-                if is_wanted(WANTED, position) {
-                    values[position].store(&mut self.results[position][row..row + length]);
-                }
-            }
-            if row >= last {
-                break;
-            }
-            // The last pack may overlap with the one before it. In the rows of both they write the same numbers.
-            row = (row + length).min(last);
+        let mut results = self.results;
+        // Whole packs, then the last one, which overlaps with the one before it: in the rows of both they write the same
+        // numbers. One loop for both, so that there is one call of the kernel: each would be a copy of what may be thousands of
+        // instructions.
+        let whole = self.rows - self.rows % length;
+        let stretches = [(0, whole), (self.rows - length, self.rows)];
+        let count = 1 + usize::from(whole < self.rows);
+        for (first, end) in &stretches[..count] {
+            let (first, end) = (*first, *end);
+            let along = stretch(&self.along, first, end);
+            K::for_each_pack(
+                simd,
+                fixed,
+                along,
+                #[inline(always)]
+                |row, values| {
+                    let row = first + row;
+                    for position in 0..RESULTS {
+                        if is_wanted(WANTED, position) {
+                            values[position].store(&mut results[position][row..row + length]);
+                        }
+                    }
+                },
+            );
         }
     }
 }
@@ -350,6 +376,20 @@ pub(crate) fn splats<S: Simd, const FIXED: usize>(
         packs[place] = Pack::splat(simd, fixed[place]);
     }
     packs
+}
+
+/// The rows of columns from `first` to `end`. As all are of one length then, a loop over their rows looks once whether it is within.
+#[inline(always)]
+pub(crate) fn stretch<'a, const ALONG: usize>(
+    along: &[&'a [f64]; ALONG],
+    first: usize,
+    end: usize,
+) -> [&'a [f64]; ALONG] {
+    let mut cut = *along;
+    for column in 0..ALONG {
+        cut[column] = &along[column][first..end];
+    }
+    cut
 }
 
 /// Loads a pack of each column, from `row` on.

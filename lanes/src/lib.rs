@@ -40,6 +40,7 @@ extern crate self as lanes;
 
 pub mod chain;
 mod fold;
+mod group;
 mod kernel;
 mod level;
 mod pack;
@@ -49,6 +50,7 @@ mod trigonometry;
 
 pub use fearless_simd::Simd;
 pub use fold::{Consumer, fold};
+pub use group::{GROUP, Group, Groups, Kept, one_pack};
 pub use kernel::{ALL, ColumnLengthError, Kernel, LONGEST, LengthError, once, rows, store};
 pub use level::{Level, UnknownLevel};
 pub use pack::Pack;

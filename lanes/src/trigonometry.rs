@@ -9,7 +9,7 @@ use std::f64::consts::FRAC_2_PI;
 
 use fearless_simd::Simd;
 
-use crate::kernel::Kernel;
+use crate::kernel::{Kernel, LONGEST};
 use crate::level::{self, Body, Level};
 use crate::pack::Pack;
 use series::{cosine_remainder, sine_remainder};
@@ -84,58 +84,109 @@ impl<S: Simd> Pack<S> {
     /// Takes the sine of an angle in radians, within 2 units in the last place.
     #[inline(always)]
     pub fn sin(self) -> Self {
-        self.turned(0.0, f64::sin)
+        let near = Reduced::of(self).sin();
+        if self.abs().all_at_most(EXACT_BEYOND) {
+            return near;
+        }
+        self.corrected(near, f64::sin)
     }
 
     /// Takes the cosine of an angle in radians, within 2 units in the last place.
     #[inline(always)]
     pub fn cos(self) -> Self {
-        // The cosine is a quarter turn ahead of the sine.
-        self.turned(1.0, f64::cos)
-    }
-
-    /// Takes the sine of an angle that is `ahead` quarter turns larger. For large angles it calls `exact`, the standard
-    /// library's function with that value.
-    #[inline(always)]
-    fn turned(self, ahead: f64, exact: fn(f64) -> f64) -> Self {
-        let polynomial = self.near_turned(ahead);
+        let near = Reduced::of(self).cos();
         if self.abs().all_at_most(EXACT_BEYOND) {
-            return polynomial;
+            return near;
         }
-        let near = |row: usize| self.as_slice()[row].abs() <= EXACT_BEYOND;
-        self.map_rows(|row, angle| {
-            if near(row) {
-                polynomial.as_slice()[row]
-            } else {
-                exact(angle)
-            }
-        })
+        self.corrected(near, f64::cos)
     }
 
-    /// Takes the sine of an angle that is `ahead` quarter turns larger, by polynomials: for angles up to [`EXACT_BEYOND`].
+    /// Takes the sine and the cosine of an angle in radians, with the bits of [`Pack::sin`] and [`Pack::cos`]; most of the work is
+    /// the same for both.
     #[inline(always)]
-    fn near_turned(self, ahead: f64) -> Self {
-        let quarters = (self * FRAC_2_PI).round_ties_even();
+    pub fn sin_cos(self) -> (Self, Self) {
+        let reduced = Reduced::of(self);
+        let (sine, cosine) = (reduced.sin(), reduced.cos());
+        if self.abs().all_at_most(EXACT_BEYOND) {
+            return (sine, cosine);
+        }
+        let sine = self.corrected(sine, f64::sin);
+        (sine, self.corrected(cosine, f64::cos))
+    }
+
+    /// Replaces results at angles beyond [`EXACT_BEYOND`] by those of the standard library's function.
+    #[inline(always)]
+    fn corrected(self, near: Self, exact: fn(f64) -> f64) -> Self {
+        std::hint::cold_path();
+        // Copies, so that angle and result themselves can stay in registers.
+        let (mut angles, mut results) = ([0.0; LONGEST], [0.0; LONGEST]);
+        let (angles, results) = (&mut angles[..Self::LENGTH], &mut results[..Self::LENGTH]);
+        self.store(angles);
+        near.store(results);
+        correct(angles, exact, results);
+        Self::load(self.simd(), results)
+    }
+}
+
+/// Replaces the results at angles beyond [`EXACT_BEYOND`]. It is apart from the loops, whose registers a call to the standard
+/// library would empty.
+#[cold]
+#[inline(never)]
+fn correct(angles: &[f64], exact: fn(f64) -> f64, results: &mut [f64]) {
+    let far = angles.iter().zip(results);
+    for (angle, result) in far.filter(|(angle, _)| angle.abs() > EXACT_BEYOND) {
+        *result = exact(*angle);
+    }
+}
+
+/// An angle brought to $|r| \le \pi/4$ by quarter turns.
+struct Reduced<S: Simd> {
+    /// The sine and the cosine of what is left.
+    sine: Pack<S>,
+    cosine: Pack<S>,
+    /// Whether the number of quarter turns is odd, 1 or 0.
+    is_odd: Pack<S>,
+    /// The sign of the angle's sine beside that of $\sin r$ or $\cos r$.
+    sign: Pack<S>,
+}
+
+impl<S: Simd> Reduced<S> {
+    /// Reduces an angle up to [`EXACT_BEYOND`].
+    #[inline(always)]
+    fn of(angle: Pack<S>) -> Self {
+        let quarters = (angle * FRAC_2_PI).round_ties_even();
         let [high, middle, low] = QUARTER_TURN;
-        let nearly = self - quarters * high;
+        let nearly = angle - quarters * high;
         let small = quarters * middle;
         let r = nearly - small;
         let lost = ((nearly - r) - small) - quarters * low;
 
         let z = r * r;
-        let [sine_rest] = sine_remainder::Rows::evaluate(self.simd(), [], [z]);
-        let [cosine_rest] = cosine_remainder::Rows::evaluate(self.simd(), [], [z]);
+        let [sine_rest] = sine_remainder::Rows::evaluate(angle.simd(), [], [z]);
+        let [cosine_rest] = cosine_remainder::Rows::evaluate(angle.simd(), [], [z]);
         let half = 0.5 * z;
-        let sine = r + ((1.0 - half) * lost - r * z * sine_rest);
-        let cosine = 1.0 - (half - (z * z * cosine_rest - r * lost));
-
-        // After 0, 1, 2, 3 quarter turns the sine is sin r, cos r, −sin r, −cos r.
-        let quarters = quarters + ahead;
         let halves = (0.5 * quarters).floor();
-        let is_odd = |number: Self, half: Self| number - 2.0 * half;
-        let odd_quarter = is_odd(quarters, halves);
-        let odd_half = is_odd(halves, (0.5 * halves).floor());
-        let bound = Self::splat(self.simd(), 0.5);
-        odd_quarter.select_le(bound, sine, cosine) * (1.0 - 2.0 * odd_half)
+        let odd_half = halves - 2.0 * (0.5 * halves).floor();
+        Self {
+            sine: r + ((1.0 - half) * lost - r * z * sine_rest),
+            cosine: 1.0 - (half - (z * z * cosine_rest - r * lost)),
+            is_odd: quarters - 2.0 * halves,
+            sign: 1.0 - 2.0 * odd_half,
+        }
+    }
+
+    /// After 0, 1, 2, 3 quarter turns $\sin r$, $\cos r$, $-\sin r$, $-\cos r$.
+    #[inline(always)]
+    fn sin(&self) -> Pack<S> {
+        let bound = Pack::splat(self.sine.simd(), 0.5);
+        self.is_odd.select_le(bound, self.sine, self.cosine) * self.sign
+    }
+
+    /// After 0, 1, 2, 3 quarter turns $\cos r$, $-\sin r$, $-\cos r$, $\sin r$.
+    #[inline(always)]
+    fn cos(&self) -> Pack<S> {
+        let bound = Pack::splat(self.sine.simd(), 0.5);
+        let turned = self.is_odd.select_le(bound, self.cosine, self.sine);
+        turned * (self.sign * (1.0 - 2.0 * self.is_odd))
     }
 }

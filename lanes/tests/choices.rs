@@ -6,15 +6,17 @@ use lanes::{ALL, Kernel, Level, Pack, Simd, store};
 
 struct Choices;
 
-impl Kernel<0, 3, 5> for Choices {
+impl Kernel<0, 3, 7> for Choices {
     #[inline(always)]
-    fn evaluate<S: Simd>(_: S, _: [Pack<S>; 0], [a, b, c]: [Pack<S>; 3]) -> [Pack<S>; 5] {
+    fn evaluate<S: Simd>(_: S, _: [Pack<S>; 0], [a, b, c]: [Pack<S>; 3]) -> [Pack<S>; 7] {
         [
             a.min(b),
             a.max(b),
             a.side(),
             a.select_eq(b, c, a),
             a.mul_add(b, c),
+            a.at_most(b),
+            a.at_least(b),
         ]
     }
 }
@@ -52,9 +54,9 @@ fn they_are_those_of_the_standard_library() {
     let column = |part: fn(&(f64, f64, f64)) -> f64| triples.iter().map(part).collect::<Vec<_>>();
     let [a, b, c] = [column(|it| it.0), column(|it| it.1), column(|it| it.2)];
     for level in Level::available() {
-        let mut results = [(); 5].map(|()| vec![f64::NAN; a.len()]);
+        let mut results = [(); 7].map(|()| vec![f64::NAN; a.len()]);
         let slices = results.each_mut().map(Vec::as_mut_slice);
-        store::<Choices, ALL, 0, 3, 5>(level, &[], [&a, &b, &c], slices).unwrap();
+        store::<Choices, ALL, 0, 3, 7>(level, &[], [&a, &b, &c], slices).unwrap();
         for (row, (a, b, c)) in triples.iter().enumerate() {
             let right = [
                 a.min(*b),
@@ -62,6 +64,8 @@ fn they_are_those_of_the_standard_library() {
                 1.0_f64.copysign(a + 0.0),
                 if a == b { *c } else { *a },
                 a.mul_add(*b, *c),
+                if a < b { *a } else { *b },
+                if a > b { *a } else { *b },
             ];
             for (column, right) in results.iter().zip(right) {
                 let found = column[row];

@@ -1,7 +1,7 @@
 //! The loops: results, tails, what is not wanted, consumers, and mismatched columns.
 #![allow(clippy::unwrap_used, reason = "helpers of tests fail by panicking too")]
 
-use lanes::{ALL, Consumer, Kernel, Level, Pack, Simd, fold, once, store};
+use lanes::{ALL, Consumer, Groups, Kept, Kernel, Level, Pack, Simd, fold, once, one_pack, store};
 
 /// `a·x + y`, and `|x|` beside it.
 struct Line;
@@ -10,6 +10,62 @@ impl Kernel<1, 2, 2> for Line {
     #[inline(always)]
     fn evaluate<S: Simd>(_: S, [a]: [Pack<S>; 1], [x, y]: [Pack<S>; 2]) -> [Pack<S>; 2] {
         [a * x + y, x.abs()]
+    }
+}
+
+/// The same as [`Line`] in two parts, between which `a·x` and `x` are kept.
+struct LineInParts;
+
+impl Kernel<1, 2, 2> for LineInParts {
+    #[inline(always)]
+    fn evaluate<S: Simd>(simd: S, fixed: [Pack<S>; 1], along: [Pack<S>; 2]) -> [Pack<S>; 2] {
+        one_pack::<Self, S, 1, 2, 2>(simd, fixed, &along)
+    }
+
+    #[inline(always)]
+    fn for_each_pack<S: Simd>(
+        simd: S,
+        [a]: [Pack<S>; 1],
+        [x, y]: [&[f64]; 2],
+        mut take: impl FnMut(usize, [Pack<S>; 2]),
+    ) {
+        let mut kept = [Kept::empty(simd); 2];
+        let mut groups = Groups::<S>::of(x.len());
+        while let Some(group) = groups.next() {
+            for pack in group.packs() {
+                let x = group.load(simd, x, pack);
+                kept[0].set(pack, a * x);
+                kept[1].set(pack, x);
+            }
+            for pack in group.packs() {
+                let y = group.load(simd, y, pack);
+                let size = kept[1].get(pack).abs();
+                take(group.row(pack), [kept[0].get(pack) + y, size]);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_body_in_parts_gives_what_it_gives_in_one() {
+    // Up to three groups of the longest packs, and a tail.
+    for rows in (0..40).chain([63, 64, 65, 127, 128, 130, 200]) {
+        let [x, y] = columns(rows);
+        for level in Level::available() {
+            let mut whole = [vec![f64::NAN; rows], vec![f64::NAN; rows]];
+            let mut parts = whole.clone();
+            let [first, second] = &mut whole;
+            store::<Line, ALL, 1, 2, 2>(level, &[3.0], [&x, &y], [first, second]).unwrap();
+            let [first, second] = &mut parts;
+            store::<LineInParts, ALL, 1, 2, 2>(level, &[3.0], [&x, &y], [first, second]).unwrap();
+            assert_eq!(parts, whole, "{rows} rows on {level}");
+            let sum = fold::<LineInParts, Sum, 1, 2, 2>(level, &[3.0], [&x, &y], &mut Sum);
+            assert_eq!(sum.unwrap(), whole[0].iter().sum::<f64>());
+            for row in 0..rows.min(3) {
+                let alone = once::<LineInParts, 1, 2, 2>(&[3.0], &[x[row], y[row]]);
+                assert_eq!(alone, [whole[0][row], whole[1][row]]);
+            }
+        }
     }
 }
 

@@ -6,6 +6,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::expression::{Body, Writer};
+use super::{grouped, parts};
 use crate::circuit::Circuit;
 use crate::graph::{Graph, SymbolId};
 use crate::parse::body::identifier;
@@ -58,16 +59,25 @@ pub fn inputs_type(symbols: &[String]) -> TokenStream {
 
 /// What the columns of these symbols are called: `c.beta` is `c_beta`, or `c_beta_` where another one is `c_beta`.
 pub fn fields(symbols: &[String]) -> Vec<Ident> {
-    // `simd` is what a body calls the instructions.
-    let mut names: Vec<String> = Vec::new();
-    for symbol in symbols {
-        let mut name = identifier(symbol);
-        while names.contains(&name) || name == "simd" {
+    identifiers(symbols, &["simd"])
+}
+
+/// The words that the code of kernels has for itself.
+const OF_KERNELS: [&str; 9] = [
+    "simd", "fixed", "along", "columns", "kept", "groups", "group", "pack", "take",
+];
+
+/// Makes different identifiers of names, none of which is reserved.
+fn identifiers(names: &[String], reserved: &[&str]) -> Vec<Ident> {
+    let mut found: Vec<String> = Vec::new();
+    for name in names {
+        let mut name = identifier(name);
+        while found.contains(&name) || reserved.contains(&name.as_str()) {
             name.push('_');
         }
-        names.push(name);
+        found.push(name);
     }
-    names.iter().map(|name| format_ident!("{name}")).collect()
+    found.iter().map(|name| format_ident!("{name}")).collect()
 }
 
 /// The symbols as the formula writes them.
@@ -128,48 +138,64 @@ pub fn kernel(
     along: &[SymbolId],
 ) -> TokenStream {
     let symbols: Vec<SymbolId> = fixed.iter().chain(along).copied().collect();
-    let fields = fields(&names_of(graph, &symbols));
-    let columns: BTreeMap<SymbolId, &Ident> = symbols.iter().copied().zip(&fields).collect();
+    let locals = identifiers(&names_of(graph, &symbols), &OF_KERNELS);
+    let of_symbol: BTreeMap<SymbolId, &Ident> = symbols.iter().copied().zip(&locals).collect();
     let symbol = |symbol: SymbolId| {
-        columns
+        of_symbol
             .get(&symbol)
-            .map_or_else(TokenStream::new, |field| quote!(#field))
+            .map_or_else(TokenStream::new, |local| quote!(#local))
     };
-    let simd = format_ident!("simd");
-    let taken = fields.iter().chain([&simd]).map(ToString::to_string);
-    let Body {
-        statements,
-        outputs,
-    } = Writer::new(graph, circuit, &symbol, taken)
+    let reserved = OF_KERNELS.iter().map(ToString::to_string);
+    let taken = locals.iter().map(ToString::to_string).chain(reserved);
+    let body = Writer::new(graph, circuit, &symbol, taken)
         .in_packs()
         .body();
-    let counts = [fixed.len(), along.len(), outputs.len()].map(literal);
+    let counts = [fixed.len(), along.len(), body.outputs.len()].map(literal);
     let [fixed_count, along_count, results] = &counts;
-    let (fixed, along) = fields.split_at(fixed.len());
-    // Nothing is taken apart where there is nothing.
-    let opened = [(fixed, "fixed"), (along, "along")].into_iter();
-    let opened = opened.filter(|(names, _)| !names.is_empty());
-    let opened = opened.map(|(names, from)| {
-        let from = format_ident!("{from}");
-        quote!(let [#(#names),*] = #from;)
-    });
+    let (fixed, along) = locals.split_at(fixed.len());
+    let parts = parts::of(&body, along);
+    let methods = if parts.len() == 1 {
+        whole(&body, [fixed, along], &counts)
+    } else {
+        grouped::methods(&body, &parts, [fixed, along], &counts)
+    };
     quote! {
         #[derive(Clone, Copy, Debug)]
         pub struct #name;
 
         impl ::lanes::Kernel<#fixed_count, #along_count, #results> for #name {
-            #[inline(always)]
-            fn evaluate<S: ::lanes::Simd>(
-                simd: S,
-                fixed: [::lanes::Pack<S>; #fixed_count],
-                along: [::lanes::Pack<S>; #along_count],
-            ) -> [::lanes::Pack<S>; #results] {
-                #(#opened)*
-                #(#statements)*
-                [#(#outputs),*]
-            }
+            #methods
         }
     }
+}
+
+/// The body of a kernel for one pack.
+fn whole(body: &Body, [fixed, along]: [&[Ident]; 2], counts: &[Literal; 3]) -> TokenStream {
+    let [fixed_count, along_count, results] = counts;
+    let opened = opened([(fixed, "fixed"), (along, "along")]);
+    let (statements, outputs) = (&body.statements, &body.outputs);
+    quote! {
+        #[inline(always)]
+        fn evaluate<S: ::lanes::Simd>(
+            simd: S,
+            fixed: [::lanes::Pack<S>; #fixed_count],
+            along: [::lanes::Pack<S>; #along_count],
+        ) -> [::lanes::Pack<S>; #results] {
+            #opened
+            #(#statements)*
+            [#(#outputs),*]
+        }
+    }
+}
+
+/// Takes the numbers of arrays apart, except where there are none.
+pub(super) fn opened<'a>(arrays: impl IntoIterator<Item = (&'a [Ident], &'a str)>) -> TokenStream {
+    let some = arrays.into_iter().filter(|(names, _)| !names.is_empty());
+    let opened = some.map(|(names, from)| {
+        let from = format_ident!("{from}");
+        quote!(let [#(#names),*] = #from;)
+    });
+    opened.collect()
 }
 
 /// A count as it stands in a type.

@@ -1,10 +1,10 @@
 //! Operations as Rust expressions, and the statements that compute a circuit's results.
 
 use std::cmp::Reverse;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
-use quote::{format_ident, quote};
+use quote::{ToTokens, format_ident, quote};
 
 use super::literal;
 use super::namer::{LONGEST, Namer, method, pack_table_function, table_function};
@@ -68,13 +68,43 @@ pub struct Writer<'a> {
     with_sines_of_packs: bool,
     /// Roots that leave the divider to others.
     by_multiplication: BTreeSet<Net>,
+    /// Sines and cosines of one angle, both under each of them: of packs they are computed together.
+    sines_with_cosines: BTreeMap<Net, [Net; 2]>,
     namer: Namer,
+}
+
+/// A `let` statement: of one name, or of two where the expression is a pair.
+pub struct Statement {
+    /// The names that it gives.
+    pub names: Vec<Ident>,
+    /// What they are.
+    pub expression: TokenStream,
+}
+
+impl Statement {
+    /// Creates the statement that gives an expression a name.
+    pub fn new(name: Ident, expression: TokenStream) -> Self {
+        Self {
+            names: vec![name],
+            expression,
+        }
+    }
+}
+
+impl ToTokens for Statement {
+    fn to_tokens(&self, tokens: &mut TokenStream) {
+        let (names, expression) = (&self.names, &self.expression);
+        tokens.extend(match names.as_slice() {
+            [name] => quote!(let #name = #expression;),
+            _ => quote!(let (#(#names),*) = #expression;),
+        });
+    }
 }
 
 /// The statements of a circuit and the expressions of its results.
 pub struct Body {
     /// `let` statements in order.
-    pub statements: Vec<TokenStream>,
+    pub statements: Vec<Statement>,
     /// One expression for each output.
     pub outputs: Vec<TokenStream>,
 }
@@ -104,6 +134,7 @@ impl<'a> Writer<'a> {
             numbers: Numbers::Single,
             with_sines_of_packs: false,
             by_multiplication: BTreeSet::new(),
+            sines_with_cosines: BTreeMap::new(),
             namer: Namer::new(taken.into_iter().chain(tables)),
         }
     }
@@ -121,6 +152,7 @@ impl<'a> Writer<'a> {
         Self {
             numbers: Numbers::Packs,
             by_multiplication: roots::by_multiplication(self.circuit),
+            sines_with_cosines: sines_with_cosines(self.circuit),
             ..self
         }
     }
@@ -130,7 +162,12 @@ impl<'a> Writer<'a> {
         let frequent = self.frequent();
         let mut statements = Vec::new();
         for net in self.circuit.nets() {
-            if self.is_leaf(net) {
+            if self.is_leaf(net) || self.namer.name(net).is_some() {
+                continue;
+            }
+            if let Some(pair) = self.sines_with_cosines.get(&net).copied() {
+                self.shorten(net, &mut statements);
+                self.state_pair(pair, &mut statements);
                 continue;
             }
             let fits = self.shorten(net, &mut statements);
@@ -155,6 +192,20 @@ impl<'a> Writer<'a> {
             self.circuit.operation(net),
             Operation::Number(_) | Operation::Symbol(_)
         )
+    }
+
+    /// Binds the sine and the cosine of an angle to names.
+    fn state_pair(&mut self, pair: [Net; 2], statements: &mut Vec<Statement>) {
+        let angle = self
+            .circuit
+            .operands(pair[0])
+            .first()
+            .map(|angle| self.receiver(*angle));
+        let names = pair.map(|net| self.namer.bind(self.graph, self.circuit, net));
+        statements.push(Statement {
+            names: names.to_vec(),
+            expression: quote!(#angle.sin_cos()),
+        });
     }
 
     /// Which operations get a name however short they are: those used twice, and those that the author named.
@@ -189,7 +240,7 @@ impl<'a> Writer<'a> {
     }
 
     /// Names the widest operands of an operation until its expression is short. Whether it is, at the end.
-    fn shorten(&mut self, net: Net, statements: &mut Vec<TokenStream>) -> bool {
+    fn shorten(&mut self, net: Net, statements: &mut Vec<Statement>) -> bool {
         let room = self.room(net);
         if self.circuit.operands(net).len() > room {
             self.name_all_operands(net, statements);
@@ -213,7 +264,7 @@ impl<'a> Writer<'a> {
 
     /// Names the operands of an operation that has too many of them for a line, the widest first. No name changes the width
     /// of another operand: what has no name yet is used here alone.
-    fn name_all_operands(&mut self, net: Net, statements: &mut Vec<TokenStream>) {
+    fn name_all_operands(&mut self, net: Net, statements: &mut Vec<Statement>) {
         let operands = self.circuit.operands(net).into_iter();
         let unnamed = operands.filter(|operand| self.can_be_named(*operand));
         let mut widths: Vec<_> = unnamed
@@ -230,7 +281,7 @@ impl<'a> Writer<'a> {
     }
 
     /// Binds an operation to a name. A long sum or product is gathered from the left, in as many statements as it takes.
-    fn state(&mut self, net: Net, statements: &mut Vec<TokenStream>) {
+    fn state(&mut self, net: Net, statements: &mut Vec<Statement>) {
         let room = self.room(net);
         let (mut gathered, mut links) = (TokenStream::new(), 0);
         for link in self.chain(net) {
@@ -238,14 +289,15 @@ impl<'a> Writer<'a> {
             if links > 1 && width(gathered.clone()) + width(link.clone()) > room {
                 let part = self.namer.numbered("part");
                 let part = format_ident!("{part}");
-                statements.push(quote!(let #part = #gathered;));
-                (gathered, links) = (quote!(#part), 1);
+                let whole = std::mem::replace(&mut gathered, quote!(#part));
+                statements.push(Statement::new(part, whole));
+                links = 1;
             }
             gathered.extend(link);
             links += 1;
         }
         let name = self.namer.bind(self.graph, self.circuit, net);
-        statements.push(quote!(let #name = #gathered;));
+        statements.push(Statement::new(name, gathered));
     }
 
     /// An operation as what may stand on lines of its own, one after the other: the terms of a sum with their signs, the
@@ -455,6 +507,24 @@ impl<'a> Writer<'a> {
             _ => self.value(net).at_least(Precedence::Atom),
         }
     }
+}
+
+/// Finds the angles of which both the sine and the cosine are wanted; the pair is under each of both.
+fn sines_with_cosines(circuit: &Circuit) -> BTreeMap<Net, [Net; 2]> {
+    let uses = circuit.live_uses();
+    let mut of_angle: BTreeMap<&[Net], [Option<Net>; 2]> = BTreeMap::new();
+    for net in circuit.nets().filter(|net| uses[net.index()] > 0) {
+        let (place, angle) = match circuit.operation(net) {
+            Operation::Apply(Function::Sin, angle) => (0, angle),
+            Operation::Apply(Function::Cos, angle) => (1, angle),
+            _ => continue,
+        };
+        of_angle.entry(angle).or_default()[place] = Some(net);
+    }
+    let pairs = of_angle
+        .into_values()
+        .filter_map(|[sine, cosine]| Some([sine?, cosine?]));
+    pairs.flat_map(|pair| pair.map(|net| (net, pair))).collect()
 }
 
 /// How wide tokens are when they are formatted, within a letter or two.

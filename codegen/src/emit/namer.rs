@@ -260,7 +260,15 @@ pub fn table_function_of(name: &str, order: usize) -> String {
     }
 }
 
+/// How the names of functions end that evaluate a table for a pack.
+const OF_PACK: &str = "_of_pack";
+
 /// Name of the function that evaluates a table for a pack, given the name of the one for a number.
 pub fn pack_table_function(table_function: &str) -> String {
-    format!("{table_function}_of_pack")
+    format!("{table_function}{OF_PACK}")
+}
+
+/// Whether a name is that of a function that evaluates a table for a pack.
+pub fn is_pack_table_function(name: &str) -> bool {
+    name.ends_with(OF_PACK)
 }

@@ -1,6 +1,6 @@
 //! Where the numbers of a block go from the loop that computes them: to columns, or into reductions.
 
-use lanes::{ALL, Consumer, Kernel, Level, Pack, Simd, fold};
+use lanes::{ALL, Consumer, Kernel, LONGEST, Level, Pack, Simd, fold};
 
 use crate::batch::extremes::{Extremes, Span};
 use crate::batch::statistic::{Gaps, Reducer};
@@ -81,7 +81,14 @@ pub(super) struct Columns<'a, 'b> {
 }
 
 /// Writes results to columns, and finds what each spans on the way.
-struct Writing<'a, const WANTED: u64, const RESULTS: usize>([&'a mut [f64]; RESULTS]);
+struct Writing<'a, const WANTED: u64, const RESULTS: usize> {
+    columns: [&'a mut [f64]; RESULTS],
+    /// The last pack, where fewer rows are left than it has: copied when the loop is over, in which a call would take the
+    /// registers from what the columns span.
+    last: [[f64; LONGEST]; RESULTS],
+    /// How many rows that pack has; none where all packs are full.
+    left: usize,
+}
 
 #[allow(
     clippy::needless_range_loop,
@@ -104,6 +111,10 @@ impl<const WANTED: u64, const RESULTS: usize> Consumer<RESULTS> for Writing<'_, 
         rows: usize,
         results: &[Pack<S>; RESULTS],
     ) {
+        let length = Pack::<S>::LENGTH;
+        if rows < length {
+            self.left = rows;
+        }
         for place in 0..RESULTS {
             if WANTED >> place & 1 == 0 {
                 continue;
@@ -113,12 +124,11 @@ impl<const WANTED: u64, const RESULTS: usize> Consumer<RESULTS> for Writing<'_, 
             let mut lane = [lanes[place]];
             Span::widen(&mut lane, &[values]);
             [lanes[place]] = lane;
-            let column = &mut self.0[place][first..first + rows];
-            if rows == Pack::<S>::LENGTH {
-                values.store(column);
+            values.store(if rows == length {
+                &mut self.columns[place][first..first + length]
             } else {
-                column.copy_from_slice(&values.as_slice()[..rows]);
-            }
+                &mut self.last[place][..length]
+            });
         }
     }
 
@@ -204,8 +214,24 @@ where
     if wanted.into_iter().any(|(_, column)| column.len() != rows) {
         return None;
     }
-    let mut writing = Writing::<WANTED, RESULTS>(columns);
-    fold::<K, _, FIXED, ALONG, RESULTS>(Level::best(), fixed, along, &mut writing).ok()
+    let mut writing = Writing::<WANTED, RESULTS> {
+        columns,
+        last: [[f64::NAN; LONGEST]; RESULTS],
+        left: 0,
+    };
+    let level = Level::best();
+    let extremes = fold::<K, _, FIXED, ALONG, RESULTS>(level, fixed, along, &mut writing).ok()?;
+    let Writing {
+        columns,
+        last,
+        left,
+    } = writing;
+    for (place, (column, last)) in columns.into_iter().zip(&last).enumerate() {
+        if WANTED >> place & 1 == 1 {
+            column[rows - left..].copy_from_slice(&last[..left]);
+        }
+    }
+    Some(extremes)
 }
 
 /// Numbers that may not be what they are for that rotor alone cannot be reduced.

@@ -14,8 +14,8 @@ pub(crate) struct Extremes {
     pub(crate) least: f64,
     /// Negative infinity where there is nothing.
     pub(crate) greatest: f64,
-    /// Whether no number is NaN or infinite.
-    pub(crate) all_are_finite: bool,
+    /// Whether the sum of all numbers is finite: then each of them is.
+    pub(crate) sum_is_finite: bool,
 }
 
 impl Extremes {
@@ -50,12 +50,12 @@ impl Extremes {
     pub(crate) const NONE: Self = Self {
         least: f64::INFINITY,
         greatest: f64::NEG_INFINITY,
-        all_are_finite: true,
+        sum_is_finite: true,
     };
 
     /// Whether all are positive, with all their digits.
     pub(crate) fn are_sizes(&self) -> bool {
-        self.all_are_finite && is_size(self.least)
+        self.sum_is_finite && is_size(self.least)
     }
 }
 
@@ -69,16 +69,16 @@ impl Kernel<0, 1, 1> for Itself {
     }
 }
 
-/// Takes the least, the greatest, and a sum of zeros that is NaN where a number is not finite.
+/// Takes the least, the greatest and the sum.
 pub(crate) struct Span;
 
 impl Span {
     /// The packs of nothing.
     #[inline(always)]
     pub(crate) fn empty<S: Simd, const COLUMNS: usize>(simd: S) -> [[Pack<S>; 3]; COLUMNS] {
-        let [least, greatest, zeros] =
+        let [least, greatest, sum] =
             [f64::INFINITY, f64::NEG_INFINITY, 0.0].map(|number| Pack::splat(simd, number));
-        [[least, greatest, zeros]; COLUMNS]
+        [[least, greatest, sum]; COLUMNS]
     }
 
     /// Takes a pack of each column. Beyond the last row it repeats rows that are there.
@@ -93,8 +93,8 @@ impl Span {
     ) {
         for place in 0..COLUMNS {
             let value = values[place];
-            let [least, greatest, zeros] = lanes[place];
-            lanes[place] = [least.min(value), greatest.max(value), zeros + value * 0.0];
+            let [least, greatest, sum] = lanes[place];
+            lanes[place] = [value.at_most(least), value.at_least(greatest), sum + value];
         }
     }
 
@@ -103,7 +103,7 @@ impl Span {
     pub(crate) fn spanned<S: Simd, const COLUMNS: usize>(
         lanes: [[Pack<S>; 3]; COLUMNS],
     ) -> [Extremes; COLUMNS] {
-        lanes.map(|[least, greatest, zeros]| Extremes {
+        lanes.map(|[least, greatest, sums]| Extremes {
             least: least
                 .as_slice()
                 .iter()
@@ -114,7 +114,7 @@ impl Span {
                 .iter()
                 .copied()
                 .fold(f64::NEG_INFINITY, f64::max),
-            all_are_finite: zeros.as_slice().iter().all(|zero| *zero == 0.0),
+            sum_is_finite: sums.as_slice().iter().all(|sum| sum.is_finite()),
         })
     }
 }

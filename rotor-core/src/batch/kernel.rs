@@ -168,7 +168,7 @@ impl<'a> Kernel<'a> {
             self.blocks.push(block);
             return;
         }
-        // Blocks at the ends of chunks come once, and are not to drive out those that every row has.
+        // The block that was entered longest ago makes room.
         let places = self.blocks.iter_mut().enumerate();
         if let Some((oldest, place)) = places.min_by_key(|(_, block)| block.entered) {
             self.current = oldest;

@@ -117,13 +117,13 @@ pub(super) const SIZES: Test = Test {
 /// Finite.
 pub(super) const FINITE: Test = Test {
     of_one: f64::is_finite,
-    of_all: |extremes| extremes.all_are_finite,
+    of_all: |extremes| extremes.sum_is_finite,
 };
 
 /// Not zero, with all its digits.
 pub(super) const NONZERO: Test = Test {
     of_one: |value| is_size(value.abs()),
     of_all: |extremes| {
-        extremes.are_sizes() || extremes.all_are_finite && is_size(-extremes.greatest)
+        extremes.are_sizes() || extremes.sum_is_finite && is_size(-extremes.greatest)
     },
 };

@@ -12,7 +12,8 @@ use super::collected::Column;
 use super::reduce::Reductions;
 use super::space::Space;
 
-/// The points of a chunk; the last one of a scan may have fewer.
+/// The points of a chunk, give or take those of a block: chunks are cut where the axis inside of all others is cut into blocks.
+/// The last chunk of a scan may have fewer.
 pub const POINTS_PER_CHUNK: u64 = 1 << 17;
 
 /// How many points a scan or a part of it has, and how many of them lack a quantity.
@@ -155,8 +156,19 @@ impl<'a> Kernels<'a> {
 
 /// The first point of a chunk and how many it has.
 pub(super) fn extent(plan: &Plan, number: u64) -> (u64, u64) {
-    let first = number * POINTS_PER_CHUNK;
-    (first, POINTS_PER_CHUNK.min(plan.space.len() - first))
+    let first = start(&plan.space, number);
+    (first, start(&plan.space, number + 1) - first)
+}
+
+/// The point at which a chunk starts: the first of the block that has the point after so many chunks. A block in two chunks would
+/// have to be entered in both, and what is tabulated for whole blocks would not serve its parts.
+fn start(space: &Space, number: u64) -> u64 {
+    let point = number.saturating_mul(POINTS_PER_CHUNK);
+    if point >= space.len() {
+        return space.len();
+    }
+    let along = space.index(space.axes().len().saturating_sub(1), point);
+    point - along % POINTS_PER_BLOCK as u64
 }
 
 /// Points of a chunk that lie in one row, a block of it at most.
@@ -186,11 +198,8 @@ fn for_each_block(
             return None;
         }
         let (row, along) = (first / inner.len(), first % inner.len());
-        // Blocks start at multiples of their length on the inner axis, wherever chunks start.
-        let block = POINTS_PER_BLOCK as u64;
-        let taken = (block - along % block)
-            .min(inner.len() - along)
-            .min(end - first);
+        // A chunk starts where a block starts and ends where one ends.
+        let taken = (inner.len() - along).min(POINTS_PER_BLOCK as u64);
         let points = to_usize(taken);
         kernel.enter(along, points, |column, values| {
             inner.fill(column, along, values);

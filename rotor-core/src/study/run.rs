@@ -7,7 +7,7 @@ use std::sync::mpsc;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use super::Plan;
-use super::chunk::{self, Chunk, Counts, Kernels, POINTS_PER_CHUNK};
+use super::chunk::{self, Chunk, Counts, Kernels};
 use super::collected::Collected;
 use super::reduce::{Reduced, Reductions};
 use super::sink::Sink;
@@ -220,17 +220,15 @@ impl Plan {
 
     /// Fills columns with the quantities at all points, chunk by chunk on all threads.
     fn fill(&self, results: &mut [Vec<f64>], control: &Control<'_>) -> Result<Counts, Error> {
-        let chunks = usize::try_from(self.chunk_count()).unwrap_or_default();
-        let mut parts: Vec<Vec<&mut [f64]>> = Vec::new();
-        parts.resize_with(chunks, Vec::new);
-        for result in results {
-            let slices = result.chunks_mut(POINTS_PER_CHUNK as usize);
-            parts
+        let mut rest: Vec<&mut [f64]> = results.iter_mut().map(Vec::as_mut_slice).collect();
+        let parts = (0..self.chunk_count()).map(|number| {
+            let (_, length) = chunk::extent(self, number);
+            let slices = rest
                 .iter_mut()
-                .zip(slices)
-                .for_each(|(part, slice)| part.push(slice));
-        }
-        let parts: Vec<_> = parts.into_iter().map(Mutex::new).collect();
+                .filter_map(|rest| rest.split_off_mut(..length as usize));
+            Mutex::new(slices.collect::<Vec<_>>())
+        });
+        let parts: Vec<_> = parts.collect();
         let kernels = Kernels::new(self);
         let work = |number: u64, stop: &dyn Fn() -> bool| {
             let part = parts.get(number as usize)?;
