@@ -125,6 +125,11 @@ impl Circuit {
         self.operations == other.operations && self.outputs == other.outputs
     }
 
+    /// Whether another circuit is the same in all that a search looks at: its operations, its results and their names.
+    pub(crate) fn is_identical(&self, other: &Self) -> bool {
+        self.is_same(other) && self.tidy == other.tidy && self.names == other.names
+    }
+
     /// Adds an operation, or finds the equal one.
     pub fn push(&mut self, operation: Operation) -> Net {
         let new = Net(self.operations.len() as u32);

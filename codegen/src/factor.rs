@@ -16,6 +16,7 @@ pub mod homogeneous;
 pub mod identities;
 pub mod lower;
 pub mod multiples;
+pub mod orders;
 pub mod pairs;
 pub mod passes;
 pub mod probes;
@@ -28,7 +29,7 @@ pub mod written;
 use crate::circuit::Circuit;
 use crate::graph::Graph;
 use crate::outputs::{Held, Outputs};
-use crate::parallel::both;
+use crate::parallel::{SEARCHED, both};
 use crate::rewrite;
 use forms::{held_forms, lowered_forms, merged_forms};
 use passes::{Pass, Passes};
@@ -68,13 +69,14 @@ pub fn minimise_with(
     if graph.is_exceeded() {
         return as_written(written, Fault::TooLong);
     }
+    let all = outputs.all();
+    let size = graph.reachable(&all).len();
     let (reference, merged) = both(
-        || Reference::beside(written, graph, &outputs.all()),
+        SEARCHED * size,
+        || Reference::beside(written, graph, &all),
         || merged_forms(graph, outputs, passes),
     );
-    let all = outputs.all();
     let plain = written::circuit(&written.graph, &written.reverse);
-    let size = graph.reachable(&all).len();
     let held = held.filter(|_| passes.has(Pass::Held));
     let held = held.filter(|held| held.graph.reachable(&held.all()).len() <= MOST_OF_HELD * size);
     let mut held = held

@@ -7,7 +7,7 @@ use crate::circuit::Circuit;
 use crate::differentiate;
 use crate::graph::{ExprId, Graph, SymbolId};
 use crate::outputs::{Held, Outputs};
-use crate::parallel::on_all_cores;
+use crate::parallel::{SEARCHED, on_worthwhile_cores};
 use crate::rewrite::{self, Form};
 
 /// The outputs with equal expressions as one, with the partials of the reverse and of the forward mode.
@@ -79,12 +79,14 @@ pub(super) fn lowered_forms(
     outputs: &Outputs,
     passes: Passes,
 ) -> Vec<Circuit> {
-    let is_huge = graph.reachable(&roots).len() > HUGE;
+    let size = graph.reachable(&roots).len();
+    let is_huge = size > HUGE;
     let mut forms = vec![(graph, roots)];
     if !is_huge {
         add_rewritten(&mut forms, passes);
     }
-    let lowered = on_all_cores(&forms, |(graph, roots)| {
+    let work = SEARCHED * size * forms.len();
+    let lowered = on_worthwhile_cores(&forms, work, |(graph, roots)| {
         let mut graph = graph.clone();
         let rebuilt = (!is_huge && passes.has(Pass::Homogeneous))
             .then(|| homogeneous::rebuild_values(&mut graph, &outputs.with_all(roots)))

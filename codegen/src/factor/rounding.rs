@@ -18,7 +18,7 @@ use crate::circuit::{Circuit, Operation};
 use crate::graph::{ExprId, Function, Graph, Symbol, SymbolId};
 use crate::interpret::double_double::DoubleDouble;
 use crate::interpret::{Number, Prepared};
-use crate::parallel::on_all_cores;
+use crate::parallel::{WORTH_A_THREAD, on_all_cores};
 
 /// How much larger than the author's the error of a form may be. Both are bounds, which grow with the number of
 /// operations; a cancellation is larger by orders of magnitude.
@@ -346,9 +346,6 @@ impl Reference {
         values.join(", ")
     }
 }
-
-/// The least operations that are worth a thread: some hundred microseconds of work.
-const WORTH_A_THREAD: usize = 1 << 14;
 
 /// What an operation at all points of a group, in twice the digits too, counts for beside one at a point.
 const OF_A_GROUP: usize = 16;
