@@ -33,7 +33,7 @@ use crate::parallel::{SEARCHED, both};
 use crate::rewrite;
 use forms::{held_forms, lowered_forms, merged_forms};
 use passes::{Pass, Passes};
-use rounding::{Fault, Reference, Written};
+use rounding::{Decisive, Fault, Reference, Written};
 use search::Search;
 
 /// How many times larger than the form without held products the one with them may be. A larger one is never the cheapest:
@@ -84,7 +84,7 @@ pub fn minimise_with(
         .unwrap_or_default();
     // A form without merged expressions is tried only where all merged forms lose digits.
     let gathered = std::iter::once_with(|| vec![rewrite::rewrite(graph, &all)]);
-    let mut fault = None;
+    let (mut fault, mut decisive) = (None, Decisive::default());
     for graphs in std::iter::once(merged).chain(gathered) {
         let lowered = graphs
             .into_iter()
@@ -92,7 +92,7 @@ pub fn minimise_with(
             .flat_map(|(graph, roots)| lowered_forms(graph, roots, outputs, passes))
             .chain(std::mem::take(&mut held));
         for circuits in Search::new(lowered.collect(), passes) {
-            match best_of(circuits, &reference, graph) {
+            match best_of(circuits, &reference, graph, &mut decisive) {
                 Ok(circuit) => {
                     // The author's own operations may be the fewest.
                     let is_cheaper = passes.has(Pass::Written)
@@ -139,6 +139,7 @@ fn best_of(
     mut circuits: Vec<Circuit>,
     reference: &Reference,
     tables: &Graph,
+    decisive: &mut Decisive,
 ) -> Result<Circuit, Option<Fault>> {
     circuits.sort_by_cached_key(|circuit| circuit.cost().weight());
     let mut first = None;
@@ -148,7 +149,7 @@ fn best_of(
         if refused.iter().any(|known| known.is_same(&circuit)) {
             continue;
         }
-        match reference.fault(tables, &circuit) {
+        match reference.fault_by(tables, &circuit, decisive) {
             None => return Ok(circuit),
             Some(fault) => first = first.or(Some(fault)),
         }

@@ -6,11 +6,11 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread::available_parallelism;
 
 /// The least operations that are worth a thread: some hundred microseconds of work.
-pub(crate) const WORTH_A_THREAD: usize = 1 << 14;
+pub(crate) const WORTH_A_THREAD: usize = 1 << 16;
 
 /// What an operation counts for that is rebuilt, or whose like is looked for, beside one that is evaluated at a point: that
 /// takes some microseconds.
-pub(crate) const SEARCHED: usize = 64;
+pub(crate) const SEARCHED: usize = 256;
 
 /// How many cores there are. To ask the system takes as long as all work on a small formula.
 static CORES: LazyLock<usize> = LazyLock::new(|| available_parallelism().map_or(1, NonZero::get));

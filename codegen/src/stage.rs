@@ -19,7 +19,7 @@ use crate::cost::Cost;
 use crate::factor::extract::ORDERS;
 use crate::factor::orders::Orders;
 use crate::factor::passes::Passes;
-use crate::factor::rounding::{Reference, Written};
+use crate::factor::rounding::{Decisive, Reference, Written};
 use crate::factor::{self, lower};
 use crate::graph::{ExprId, Graph, SymbolId};
 use crate::outputs::Outputs;
@@ -104,9 +104,10 @@ pub fn minimise(
         let points = cost_of(circuit, inner, Stage::Point).weight();
         (points, circuit.cost().weight())
     });
-    let sound = circuits
-        .into_iter()
-        .find(|circuit| reference.fault(graph, circuit).is_none());
+    let mut decisive = Decisive::default();
+    let mut is_sound =
+        |circuit: &Circuit| reference.fault_by(graph, circuit, &mut decisive).is_none();
+    let sound = circuits.into_iter().find(|circuit| is_sound(circuit));
     sound.unwrap_or_else(|| factor::minimise(graph, outputs, written).circuit)
 }
 
