@@ -7,10 +7,10 @@ use std::num::NonZeroU64;
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub};
 use std::sync::Arc;
 
-use num_bigint::BigInt;
+use num_bigint::{BigInt, BigUint};
 use num_integer::Integer;
 use num_rational::BigRational;
-use num_traits::{Pow, Signed, ToPrimitive};
+use num_traits::{One, Pow, Signed, ToPrimitive};
 use smallvec::{Array, SmallVec};
 
 /// An exact rational constant.
@@ -60,7 +60,16 @@ impl Rational {
 
     /// The quotient of two whole numbers; the denominator is not zero.
     pub fn new(numerator: BigInt, denominator: BigInt) -> Self {
-        Self::of_big(BigRational::new(numerator, denominator))
+        let divisor = common_divisor(&numerator, &denominator);
+        let divisor = if denominator.is_negative() {
+            -divisor
+        } else {
+            divisor
+        };
+        Self::of_big(BigRational::new_raw(
+            numerator / &divisor,
+            denominator / &divisor,
+        ))
     }
 
     /// A whole number.
@@ -271,6 +280,43 @@ impl Rational {
     }
 }
 
+/// The sum of two fractions.
+fn sum(left: &BigRational, right: &BigRational) -> Rational {
+    if left.denom() == right.denom() {
+        return Rational::new(left.numer() + right.numer(), left.denom().clone());
+    }
+    let numerator = left.numer() * right.denom() + right.numer() * left.denom();
+    Rational::new(numerator, left.denom() * right.denom())
+}
+
+/// The product of two fractions in lowest terms.
+fn product(left: &BigRational, right: &BigRational) -> Rational {
+    let [first, second] = [
+        common_divisor(left.numer(), right.denom()),
+        common_divisor(right.numer(), left.denom()),
+    ];
+    let numerator = (left.numer() / &first) * (right.numer() / &second);
+    let denominator = (left.denom() / &second) * (right.denom() / &first);
+    Rational::of_big(BigRational::new_raw(numerator, denominator))
+}
+
+/// The greatest common divisor. The library's takes a bit at a time, which is long where one number is far shorter than the
+/// other or is a power of two, as the parts of decimals and of numbers of double precision are.
+fn common_divisor(left: &BigInt, right: &BigInt) -> BigInt {
+    let [left, right] = [left.magnitude(), right.magnitude()];
+    let (Some(twos_of_left), Some(twos_of_right)) = (left.trailing_zeros(), right.trailing_zeros())
+    else {
+        return (left + right).into();
+    };
+    let odd = [left >> twos_of_left, right >> twos_of_right];
+    let (shorter, longer) = (odd.iter().min(), odd.iter().max());
+    let divisor = match (shorter, longer) {
+        (Some(shorter), Some(longer)) if !shorter.is_one() => shorter.gcd(&(longer % shorter)),
+        _ => BigUint::one(),
+    };
+    BigInt::from(divisor << twos_of_left.min(twos_of_right))
+}
+
 fn to_small(value: &BigInt) -> Option<i64> {
     value.to_i64().filter(|small| *small != i64::MIN)
 }
@@ -347,7 +393,7 @@ impl Add<&Rational> for &Rational {
                     Rational::reduced(a * d + c * b, b * d)
                 }
             }
-            _ => Rational::of_big(self.to_big() + other.to_big()),
+            _ => sum(&self.to_big(), &other.to_big()),
         }
     }
 }
@@ -367,7 +413,7 @@ impl Mul<&Rational> for &Rational {
                 let [b, d] = [b, d].map(|part| i128::from(part.get()));
                 Rational::reduced(a * c, b * d)
             }
-            _ => Rational::of_big(self.to_big() * other.to_big()),
+            _ => product(&self.to_big(), &other.to_big()),
         }
     }
 }
@@ -388,12 +434,13 @@ impl Div<&Rational> for &Rational {
         match (&self.0, &other.0) {
             (_, Small(1, WHOLE)) => self.clone(),
             (_, Small(-1, WHOLE)) => -self,
+            (Large(a), Large(b)) if a == b => Rational::ONE,
             (Small(a, b), Small(c, d)) if *c != 0 => {
                 let [a, c] = [a, c].map(|part| i128::from(*part));
                 let [b, d] = [b, d].map(|part| i128::from(part.get()));
                 Rational::reduced(a * d, b * c)
             }
-            _ => Rational::of_big(self.to_big() / other.to_big()),
+            _ => product(&self.to_big(), &other.to_big().recip()),
         }
     }
 }
