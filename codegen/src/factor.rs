@@ -85,13 +85,15 @@ pub fn minimise_with(
     // A form without merged expressions is tried only where all merged forms lose digits.
     let gathered = std::iter::once_with(|| vec![rewrite::rewrite(graph, &all)]);
     let (mut fault, mut decisive) = (None, Decisive::default());
+    let mut search = Search::new(passes);
     for graphs in std::iter::once(merged).chain(gathered) {
         let lowered = graphs
             .into_iter()
             .filter(|(graph, _)| !graph.is_exceeded())
             .flat_map(|(graph, roots)| lowered_forms(graph, roots, outputs, passes))
             .chain(std::mem::take(&mut held));
-        for circuits in Search::new(lowered.collect(), passes) {
+        search.enter(lowered.collect());
+        for circuits in &mut search {
             match best_of(circuits, &reference, graph, &mut decisive) {
                 Ok(circuit) => {
                     // The author's own operations may be the fewest.

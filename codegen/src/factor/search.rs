@@ -38,7 +38,17 @@ const REST_OF_LARGE: [usize; 3] = [1, 7, 8];
 pub(super) const HUGE: usize = 2_000;
 
 impl Search {
-    pub(super) fn new(forms: Vec<Circuit>, passes: Passes) -> Self {
+    pub(super) fn new(passes: Passes) -> Self {
+        Self {
+            forms: Vec::new(),
+            rest: Vec::new(),
+            orders: Orders::new(passes),
+            given: BTreeSet::new(),
+        }
+    }
+
+    /// Goes on with other forms. A circuit that was given before is not given again.
+    pub(super) fn enter(&mut self, forms: Vec<Circuit>) {
         let size = forms.iter().map(|form| form.nets().count()).max();
         let size = size.unwrap_or(0);
         let all = 0..ORDERS.len();
@@ -52,7 +62,7 @@ impl Search {
         };
         let of = |places: &[usize]| places.iter().map(|place| ORDERS[*place]).collect();
         let (first, rest): (Vec<_>, Vec<_>) = (of(first), of(&rest));
-        let mut orders = Orders::new(passes);
+        let orders = &mut self.orders;
         let forms = forms.into_iter().map(|form| orders.place_of(form));
         let forms: Vec<usize> = forms.collect();
         let tried = orders.extracted(&forms, &first);
@@ -67,12 +77,7 @@ impl Search {
         // The first of equals comes first.
         forms.reverse();
         forms.sort_by_cached_key(|form| std::cmp::Reverse(least(form)));
-        Self {
-            forms,
-            rest,
-            orders,
-            given: BTreeSet::new(),
-        }
+        (self.forms, self.rest) = (forms, rest);
     }
 }
 

@@ -264,6 +264,7 @@ impl Rational {
                 let odd = numerator.unsigned_abs() >> numerator.trailing_zeros().min(63);
                 denominator.is_power_of_two() && odd < 1 << 53
             }
+            Large(value) if value.denom().magnitude().count_ones() > 1 => false,
             Large(_) => {
                 let nearest = self.to_f64().and_then(Self::of_f64);
                 nearest.is_some_and(|nearest| nearest == *self)
@@ -346,7 +347,10 @@ impl Ord for Rational {
             (Small(a, b), Small(c, d)) => {
                 (i128::from(*a) * i128::from(d.get())).cmp(&(i128::from(*c) * i128::from(b.get())))
             }
-            _ => self.to_big().cmp(&other.to_big()),
+            _ => {
+                let left = self.numerator() * other.denominator();
+                left.cmp(&(other.numerator() * self.denominator()))
+            }
         }
     }
 }
