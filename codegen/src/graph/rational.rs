@@ -19,7 +19,7 @@ pub struct Rational(Parts);
 
 /// The parts of a fraction in lowest terms with a denominator above 0, the smaller kind wherever it holds them: equal numbers
 /// have equal parts.
-#[derive(Clone, PartialEq, Eq)]
+#[derive(Clone, Eq)]
 enum Parts {
     /// Both magnitudes are at most [`i64::MAX`]. As the denominator is not zero, a number is no longer than its two parts.
     Small(i64, NonZeroU64),
@@ -30,6 +30,20 @@ use Parts::{Large, Small};
 
 /// The denominator of a whole number.
 const WHOLE: NonZeroU64 = NonZeroU64::MIN;
+
+impl PartialEq for Parts {
+    fn eq(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Small(a, b), Small(c, d)) => (a, b) == (c, d),
+            // Their own comparison divides its way to the parts.
+            (Large(left), Large(right)) => {
+                Arc::ptr_eq(left, right)
+                    || (left.numer() == right.numer() && left.denom() == right.denom())
+            }
+            _ => false,
+        }
+    }
+}
 
 impl Hash for Parts {
     fn hash<H: Hasher>(&self, state: &mut H) {
