@@ -82,11 +82,14 @@ pub fn minimise_with(
     let mut held = held
         .map(|held| held_forms(held, passes))
         .unwrap_or_default();
-    // A form without merged expressions is tried only where all merged forms lose digits.
-    let gathered = std::iter::once_with(|| vec![rewrite::rewrite(graph, &all)]);
+    // A form without merged expressions is tried only where all merged forms lose digits. Where no expressions were merged and
+    // no other form decided how it was searched, it was tried already.
+    let is_another = merged.is_changed || merged.forms.len() + held.len() > 1;
+    let gathered = is_another.then_some(()).into_iter();
+    let gathered = gathered.map(|()| vec![rewrite::rewrite(graph, &all)]);
     let (mut fault, mut decisive) = (None, Decisive::default());
     let mut search = Search::new(passes);
-    for graphs in std::iter::once(merged).chain(gathered) {
+    for graphs in std::iter::once(merged.forms).chain(gathered) {
         let lowered = graphs
             .into_iter()
             .filter(|(graph, _)| !graph.is_exceeded())

@@ -7,19 +7,23 @@ use rustc_hash::FxHashMap;
 use crate::fingerprint::{Fingerprint, Residue, is_zero, node_at, without_sign};
 use crate::graph::{ExprId, Graph, Node, Rational, whole};
 use crate::outputs::Held;
+use crate::rewrite::Form;
 
 /// Sums of more terms than this are not searched for equal parts: the search tries all subsets.
 const MOST_TERMS: usize = 10;
 
 /// Rebuilds the roots so that expressions with equal fingerprints, up to sign, are the same node, and sums whose parts
-/// repeat each other are shortened.
-pub fn merge(graph: &Graph, roots: &[ExprId]) -> (Graph, Vec<ExprId>) {
+/// repeat each other are shortened; `None` where there is none of either.
+pub fn merge(graph: &Graph, roots: &[ExprId]) -> Option<Form> {
     let mut target = Graph::with_symbols_of(graph);
     let mut merger = Merger::default();
+    let mut is_changed = false;
     let roots = graph.rebuild(&mut target, roots, |target, _, image| {
-        merger.representative(target, image)
+        let representative = merger.representative(target, image);
+        is_changed |= representative != image;
+        representative
     });
-    (target, roots)
+    is_changed.then_some((target, roots))
 }
 
 /// Merges equal expressions of a form with held products, each of which has the value of its definition.
