@@ -9,16 +9,19 @@
 //! in twice the digits. There each form also has to be the same number as the author's to some 28 digits, which confirms all
 //! that was taken for equal on the way to it.
 
+mod author;
+
 use std::fmt;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use super::bounded::{Bounded, Pack};
+use super::bounded::Pack;
 use super::probes;
 use crate::circuit::{Circuit, Operation};
 use crate::graph::{ExprId, Function, Graph, Symbol, SymbolId};
 use crate::interpret::double_double::DoubleDouble;
 use crate::interpret::{Number, Prepared};
 use crate::parallel::{WORTH_A_THREAD, on_all_cores};
+use author::{Author, Group, Measured, exactly, lane_of, lenient, packed};
 
 /// How much larger than the author's the error of a form may be. Both are bounds, which grow with the number of
 /// operations; a cancellation is larger by orders of magnitude.
@@ -92,111 +95,6 @@ pub struct Reference {
 /// The packs of points at which forms were found wrong: where one is, others often are.
 #[derive(Clone, Debug, Default)]
 pub struct Decisive(Vec<usize>);
-
-/// Points that differ in their last digits alone.
-struct Group {
-    symbols: Vec<Pack>,
-    points: Vec<Measured>,
-}
-
-/// The author's numbers at a point, with their errors.
-struct Measured {
-    at: Vec<f64>,
-    bounds: Vec<Bounded>,
-    /// The author's numbers at a point, with partials in the reverse mode.
-    reverse: Vec<Bounded>,
-    exact: Vec<DoubleDouble>,
-}
-
-impl Group {
-    /// The author's numbers at points of which a pack has all.
-    fn of(author: &Author, points: &[Vec<f64>]) -> Self {
-        let symbols = packed(points);
-        let [bounds, reverse] = author.bounds(&symbols, &mut Vec::new());
-        let measured = points.iter().enumerate().map(|(lane, at)| Measured {
-            at: at.clone(),
-            bounds: lane_of(&lenient(&bounds, &reverse), lane),
-            reverse: lane_of(&reverse, lane),
-            exact: author.exact.at(&exactly(at)),
-        });
-        Self {
-            points: measured.collect(),
-            symbols,
-        }
-    }
-}
-
-/// The numbers of points in packs, symbol by symbol; what is left of a pack repeats the last point.
-fn packed(points: &[Vec<f64>]) -> Vec<Pack> {
-    let last = points.len() - 1;
-    let symbols = 0..points[last].len();
-    symbols
-        .map(|symbol| Pack::of(|lane| Bounded::exact(points[lane.min(last)][symbol])))
-        .collect()
-}
-
-/// The numbers at one point of a pack.
-fn lane_of(packs: &[Pack], lane: usize) -> Vec<Bounded> {
-    packs.iter().map(|pack| pack.lane(lane)).collect()
-}
-
-/// The symbols' values as they are.
-fn exactly(at: &[f64]) -> Vec<DoubleDouble> {
-    at.iter().copied().map(DoubleDouble::exact).collect()
-}
-
-/// The author's form, ready to be evaluated.
-struct Author {
-    /// The numbers with partials as dual numbers have them, then the numbers with partials in the reverse mode.
-    both: Prepared<Pack>,
-    /// Where the numbers with partials as dual numbers have them begin.
-    exact: Prepared<DoubleDouble>,
-    /// How many numbers there are.
-    count: usize,
-}
-
-impl Author {
-    /// `None` if there is an integral, of which there is no code.
-    fn of(written: &Written) -> Option<Self> {
-        let Written {
-            graph,
-            roots,
-            reverse,
-            ..
-        } = written;
-        let all = [roots.as_slice(), reverse].concat();
-        Some(Self {
-            both: Prepared::of_graph(graph, &graph.reachable(&all), &all)?,
-            exact: Prepared::of_graph(graph, &graph.reachable(roots), roots)?,
-            count: roots.len(),
-        })
-    }
-
-    /// The numbers in both modes.
-    fn bounds(&self, at: &[Pack], memory: &mut Vec<Pack>) -> [Vec<Pack>; 2] {
-        let mut bounds = self.both.at_with(at, memory);
-        let reverse = bounds.split_off(self.count);
-        [bounds, reverse]
-    }
-}
-
-/// Numbers with the larger of two errors: one way to derive the author's operations is as good as the other.
-fn lenient(forward: &[Pack], reverse: &[Pack]) -> Vec<Pack> {
-    let larger = |forward: Bounded, reverse: Bounded| {
-        let error = if reverse.value.is_finite() {
-            forward.error.max(reverse.error)
-        } else {
-            forward.error
-        };
-        Bounded {
-            value: forward.value,
-            error,
-        }
-    };
-    let both = forward.iter().zip(reverse);
-    both.map(|(forward, reverse)| Pack::of(|lane| larger(forward.lane(lane), reverse.lane(lane))))
-        .collect()
-}
 
 impl Reference {
     /// The author's form.

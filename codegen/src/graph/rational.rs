@@ -1,5 +1,7 @@
 //! Rational constants. Nearly all are 1, −1 and other small fractions, which are held without memory of their own.
 
+mod large;
+
 use std::cmp::Ordering;
 use std::fmt;
 use std::hash::{Hash, Hasher};
@@ -7,11 +9,13 @@ use std::num::NonZeroU64;
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub};
 use std::sync::Arc;
 
-use num_bigint::{BigInt, BigUint};
+use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
-use num_traits::{One, Pow, Signed, ToPrimitive};
+use num_traits::{Pow, Signed, ToPrimitive};
 use smallvec::{Array, SmallVec};
+
+use large::{common_divisor, product, sum};
 
 /// An exact rational constant.
 #[derive(Clone, PartialEq, Eq, Hash)]
@@ -293,43 +297,6 @@ impl Rational {
             _ => None,
         }
     }
-}
-
-/// The sum of two fractions.
-fn sum(left: &BigRational, right: &BigRational) -> Rational {
-    if left.denom() == right.denom() {
-        return Rational::new(left.numer() + right.numer(), left.denom().clone());
-    }
-    let numerator = left.numer() * right.denom() + right.numer() * left.denom();
-    Rational::new(numerator, left.denom() * right.denom())
-}
-
-/// The product of two fractions in lowest terms.
-fn product(left: &BigRational, right: &BigRational) -> Rational {
-    let [first, second] = [
-        common_divisor(left.numer(), right.denom()),
-        common_divisor(right.numer(), left.denom()),
-    ];
-    let numerator = (left.numer() / &first) * (right.numer() / &second);
-    let denominator = (left.denom() / &second) * (right.denom() / &first);
-    Rational::of_big(BigRational::new_raw(numerator, denominator))
-}
-
-/// The greatest common divisor. The library's takes a bit at a time, which is long where one number is far shorter than the
-/// other or is a power of two, as the parts of decimals and of numbers of double precision are.
-fn common_divisor(left: &BigInt, right: &BigInt) -> BigInt {
-    let [left, right] = [left.magnitude(), right.magnitude()];
-    let (Some(twos_of_left), Some(twos_of_right)) = (left.trailing_zeros(), right.trailing_zeros())
-    else {
-        return (left + right).into();
-    };
-    let odd = [left >> twos_of_left, right >> twos_of_right];
-    let (shorter, longer) = (odd.iter().min(), odd.iter().max());
-    let divisor = match (shorter, longer) {
-        (Some(shorter), Some(longer)) if !shorter.is_one() => shorter.gcd(&(longer % shorter)),
-        _ => BigUint::one(),
-    };
-    BigInt::from(divisor << twos_of_left.min(twos_of_right))
 }
 
 fn to_small(value: &BigInt) -> Option<i64> {
