@@ -122,7 +122,12 @@ impl Circuit {
 
     /// Whether another circuit has the same operations in the same order.
     pub fn is_same(&self, other: &Self) -> bool {
-        self.operations == other.operations && self.outputs == other.outputs
+        self.outputs == other.outputs && self.operations == other.operations
+    }
+
+    /// Whether another circuit is the same in all that a search looks at: its operations, its results and their names.
+    pub(crate) fn is_identical(&self, other: &Self) -> bool {
+        self.is_same(other) && self.tidy == other.tidy && self.names == other.names
     }
 
     /// Adds an operation, or finds the equal one.

@@ -16,6 +16,7 @@ pub mod homogeneous;
 pub mod identities;
 pub mod lower;
 pub mod multiples;
+pub mod orders;
 pub mod pairs;
 pub mod passes;
 pub mod probes;
@@ -28,11 +29,11 @@ pub mod written;
 use crate::circuit::Circuit;
 use crate::graph::Graph;
 use crate::outputs::{Held, Outputs};
-use crate::parallel::both;
+use crate::parallel::{SEARCHED, both};
 use crate::rewrite;
 use forms::{held_forms, lowered_forms, merged_forms};
 use passes::{Pass, Passes};
-use rounding::{Fault, Reference, Written};
+use rounding::{Decisive, Fault, Reference, Written};
 use search::Search;
 
 /// How many times larger than the form without held products the one with them may be. A larger one is never the cheapest:
@@ -68,29 +69,35 @@ pub fn minimise_with(
     if graph.is_exceeded() {
         return as_written(written, Fault::TooLong);
     }
+    let all = outputs.all();
+    let size = graph.reachable(&all).len();
     let (reference, merged) = both(
-        || Reference::beside(written, graph, &outputs.all()),
+        SEARCHED * size,
+        || Reference::beside(written, graph, &all),
         || merged_forms(graph, outputs, passes),
     );
-    let all = outputs.all();
     let plain = written::circuit(&written.graph, &written.reverse);
-    let size = graph.reachable(&all).len();
     let held = held.filter(|_| passes.has(Pass::Held));
     let held = held.filter(|held| held.graph.reachable(&held.all()).len() <= MOST_OF_HELD * size);
     let mut held = held
         .map(|held| held_forms(held, passes))
         .unwrap_or_default();
-    // A form without merged expressions is tried only where all merged forms lose digits.
-    let gathered = std::iter::once_with(|| vec![rewrite::rewrite(graph, &all)]);
-    let mut fault = None;
-    for graphs in std::iter::once(merged).chain(gathered) {
+    // A form without merged expressions is tried only where all merged forms lose digits. Where no expressions were merged and
+    // no other form decided how it was searched, it was tried already.
+    let is_another = merged.is_changed || merged.forms.len() + held.len() > 1;
+    let gathered = is_another.then_some(()).into_iter();
+    let gathered = gathered.map(|()| vec![rewrite::rewrite(graph, &all)]);
+    let (mut fault, mut decisive) = (None, Decisive::default());
+    let mut search = Search::new(passes);
+    for graphs in std::iter::once(merged.forms).chain(gathered) {
         let lowered = graphs
             .into_iter()
             .filter(|(graph, _)| !graph.is_exceeded())
             .flat_map(|(graph, roots)| lowered_forms(graph, roots, outputs, passes))
             .chain(std::mem::take(&mut held));
-        for circuits in Search::new(lowered.collect(), passes) {
-            match best_of(circuits, &reference, graph) {
+        search.enter(lowered.collect());
+        for circuits in &mut search {
+            match best_of(circuits, &reference, graph, &mut decisive) {
                 Ok(circuit) => {
                     // The author's own operations may be the fewest.
                     let is_cheaper = passes.has(Pass::Written)
@@ -137,6 +144,7 @@ fn best_of(
     mut circuits: Vec<Circuit>,
     reference: &Reference,
     tables: &Graph,
+    decisive: &mut Decisive,
 ) -> Result<Circuit, Option<Fault>> {
     circuits.sort_by_cached_key(|circuit| circuit.cost().weight());
     let mut first = None;
@@ -146,7 +154,7 @@ fn best_of(
         if refused.iter().any(|known| known.is_same(&circuit)) {
             continue;
         }
-        match reference.fault(tables, &circuit) {
+        match reference.fault_by(tables, &circuit, decisive) {
             None => return Ok(circuit),
             Some(fault) => first = first.or(Some(fault)),
         }

@@ -8,11 +8,9 @@
 //! are fixed, so that the same formulas always give the same code; what was taken for equal is confirmed where the
 //! finished form is held against the author's ([`rounding`](crate::factor::rounding)).
 
-use std::collections::{BTreeMap, BTreeSet};
-
 use num_bigint::BigInt;
 use num_traits::ToPrimitive;
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 use crate::graph::{ExprId, Function, Graph, Node, Rational, SymbolId};
 
@@ -373,25 +371,29 @@ pub fn all_at(graph: &Graph, roots: &[ExprId], point: u64) -> Vec<Residue> {
 /// The values of the roots at a point, where what lies deeper than so many operations, and every function that is neither
 /// a sum nor a product, stands for itself, like a symbol: what is equal so is equal.
 pub fn near(graph: &Graph, roots: &[ExprId], depth: usize, point: u64) -> Vec<Residue> {
-    let mut opened: BTreeSet<ExprId> = BTreeSet::new();
-    let mut level: BTreeSet<ExprId> = roots.iter().copied().collect();
+    let mut seen: FxHashSet<ExprId> = FxHashSet::default();
+    let mut opened: Vec<ExprId> = Vec::new();
+    let mut level = roots.to_vec();
     for _ in 0..depth {
-        let inner = level.iter().filter(|id| !opened.contains(id)).copied();
-        let inner: Vec<ExprId> = inner
-            .filter(|id| !matches!(graph.node(*id), Node::Apply(..) | Node::Tabulated { .. }))
-            .collect();
-        opened.extend(&inner);
-        level = inner.iter().flat_map(|id| graph.operands(*id)).collect();
+        let is_new = |id: &ExprId| {
+            !matches!(graph.node(*id), Node::Apply(..) | Node::Tabulated { .. }) && seen.insert(*id)
+        };
+        level.retain(is_new);
+        opened.extend(&level);
+        level = level.iter().flat_map(|id| graph.operands(*id)).collect();
     }
-    let mut values: BTreeMap<ExprId, Residue> = BTreeMap::new();
+    // Operands come before their users.
+    opened.sort_unstable();
+    let mut values: FxHashMap<ExprId, Residue> = FxHashMap::default();
     let itself = |id: ExprId| noise(scramble(scramble(!point) ^ (id.index() as u64)));
     for id in opened {
         let value = node_at(graph, id, point, |operand| {
-            values.get(&operand).copied().unwrap_or(itself(operand))
+            let known = values.get(&operand).copied();
+            known.unwrap_or_else(|| itself(operand))
         });
         values.insert(id, value);
     }
-    let value = |id: &ExprId| values.get(id).copied().unwrap_or(itself(*id));
+    let value = |id: &ExprId| values.get(id).copied().unwrap_or_else(|| itself(*id));
     roots.iter().map(value).collect()
 }
 
@@ -402,6 +404,8 @@ pub fn is_zero(fingerprint: Fingerprint) -> bool {
 
 #[cfg(test)]
 mod tests {
+    use std::collections::BTreeSet;
+
     use super::*;
     use crate::graph::ratio;
 

@@ -104,21 +104,29 @@ fn multiple<T: Number>(coefficient: &Rational, value: T) -> T {
 /// formula of that size.
 const LARGEST_PRODUCT: u32 = 16;
 
-/// The factors of a power: the number as often as it says, or a large power worked out by squares.
-fn raised<T: Number>(base: T, power: u32) -> impl Iterator<Item = T> {
-    if power <= LARGEST_PRODUCT {
-        return std::iter::repeat_n(base, power as usize);
+/// A product with a power of a number as one more factor, or as so many; nothing of no factors.
+fn times_power<T: Number>(product: Option<T>, base: &T, power: u32) -> Option<T> {
+    let times = |product: Option<T>, factor: &T| match product {
+        None => factor.clone(),
+        Some(product) => product.multiply(factor),
+    };
+    if power > LARGEST_PRODUCT {
+        return Some(times(product, &raised(base, power)));
     }
+    (0..power).fold(product, |product, _| Some(times(product, base)))
+}
+
+/// A power of at least one, worked out by squares.
+fn raised<T: Number>(base: &T, power: u32) -> T {
     let bits = (0..power.ilog2()).rev().map(|bit| power >> bit & 1 == 1);
-    let raised = bits.fold(base.clone(), |raised, is_odd| {
+    bits.fold(base.clone(), |raised, is_odd| {
         let square = raised.multiply(&raised);
         if is_odd {
-            square.multiply(&base)
+            square.multiply(base)
         } else {
             square
         }
-    });
-    std::iter::repeat_n(raised, 1)
+    })
 }
 
 /// One node's value from the values of its operands. Integrals have none here.
@@ -141,18 +149,16 @@ pub(crate) fn node_value<T: Number>(
         }
         Node::Product(factors) => {
             let one = T::rational(&crate::graph::whole(1));
-            let (mut numerator, mut denominator) = (one.clone(), one);
+            let (mut numerator, mut denominator) = (Some(one.clone()), Some(one));
             for (operand, exponent) in factors {
                 let side = if *exponent > 0 {
                     &mut numerator
                 } else {
                     &mut denominator
                 };
-                for factor in raised(value(*operand), exponent.unsigned_abs()) {
-                    *side = side.multiply(&factor);
-                }
+                *side = times_power(side.take(), &value(*operand), exponent.unsigned_abs());
             }
-            numerator.divide(&denominator)
+            numerator?.divide(&denominator?)
         }
         Node::Apply(function, operands) => {
             let operands: Vec<T> = operands.iter().map(|operand| value(*operand)).collect();

@@ -16,8 +16,10 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::circuit::{Circuit, Net, Operation};
 use crate::cost::Cost;
-use crate::factor::extract::{self, ORDERS};
-use crate::factor::rounding::{Reference, Written};
+use crate::factor::extract::ORDERS;
+use crate::factor::orders::Orders;
+use crate::factor::passes::Passes;
+use crate::factor::rounding::{Decisive, Reference, Written};
 use crate::factor::{self, lower};
 use crate::graph::{ExprId, Graph, SymbolId};
 use crate::outputs::Outputs;
@@ -93,38 +95,52 @@ pub fn minimise(
         return factor::minimise(graph, outputs, written).circuit;
     }
     let reference = Reference::beside(written, graph, &all);
-    let mut circuits: Vec<Circuit> = Vec::new();
-    let mut known: Vec<Circuit> = Vec::new();
     let forms = forms(graph, &all, inner).into_iter();
-    for (graph, roots) in forms.filter(|(graph, _)| !graph.is_exceeded()) {
-        let lowered = lower::lower(&graph, &roots);
-        // Many of the forms come to the same.
-        if known.iter().any(|known| known.is_same(&lowered)) {
-            continue;
-        }
-        known.push(lowered.clone());
-        for order in ORDERS.into_iter().chain([&[][..]]) {
-            let mut circuit = lowered.clone();
-            extract::extract(&mut circuit, order);
-            // What was gathered into another operation is not needed any more.
-            let gathered = regroup::by_stage(&circuit, inner);
-            let opened = regroup::by_stage(&terms::opened(&circuit, inner), inner);
-            for circuit in [gathered, terms::collected(&opened, inner)] {
-                let circuit = split::part(&circuit, &circuit.outputs, &BTreeMap::new());
-                if !circuits.iter().any(|known| known.is_same(&circuit)) {
-                    circuits.push(circuit);
-                }
-            }
-        }
-    }
+    let lowered = forms
+        .filter(|(graph, _)| !graph.is_exceeded())
+        .map(|(graph, roots)| lower::lower(&graph, &roots));
+    let mut circuits = by_stages(lowered, inner);
     circuits.sort_by_cached_key(|circuit| {
         let points = cost_of(circuit, inner, Stage::Point).weight();
         (points, circuit.cost().weight())
     });
-    let sound = circuits
-        .into_iter()
-        .find(|circuit| reference.fault(graph, circuit).is_none());
+    let mut decisive = Decisive::default();
+    let mut is_sound =
+        |circuit: &Circuit| reference.fault_by(graph, circuit, &mut decisive).is_none();
+    let sound = circuits.into_iter().find(|circuit| is_sound(circuit));
     sound.unwrap_or_else(|| factor::minimise(graph, outputs, written).circuit)
+}
+
+/// The forms in all orders of extraction, each gathered and collected by what its operations depend on.
+fn by_stages(lowered: impl Iterator<Item = Circuit>, inner: &BTreeSet<SymbolId>) -> Vec<Circuit> {
+    let mut orders = Orders::new(Passes::ALL);
+    let mut forms: Vec<usize> = Vec::new();
+    for form in lowered {
+        // Many of the forms come to the same.
+        let is_known = |known: &usize| orders.circuit(*known).is_same(&form);
+        if !forms.iter().any(is_known) {
+            forms.push(orders.place_of(form));
+        }
+    }
+    let all: Vec<_> = ORDERS.into_iter().chain([&[][..]]).collect();
+    let mut seen = BTreeSet::new();
+    let mut circuits: Vec<Circuit> = Vec::new();
+    for place in orders.extracted(&forms, &all) {
+        if !seen.insert(place) {
+            continue;
+        }
+        let circuit = orders.circuit(place);
+        // What was gathered into another operation is not needed any more.
+        let gathered = regroup::by_stage(circuit, inner);
+        let opened = regroup::by_stage(&terms::opened(circuit, inner), inner);
+        for circuit in [gathered, terms::collected(&opened, inner)] {
+            let circuit = split::part(&circuit, &circuit.outputs, &BTreeMap::new());
+            if !circuits.iter().any(|known| known.is_same(&circuit)) {
+                circuits.push(circuit);
+            }
+        }
+    }
+    circuits
 }
 
 /// The outputs in every form that may turn out to leave the fewest operations at the points.

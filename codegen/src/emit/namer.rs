@@ -74,7 +74,7 @@ impl Namer {
                 1 => wish.to_owned(),
                 number => format!("{wish}_{number}"),
             };
-            if syn::parse_str::<Ident>(&name).is_ok() && self.taken.insert(name.clone()) {
+            if is_identifier(&name) && self.taken.insert(name.clone()) {
                 return name;
             }
         }
@@ -179,6 +179,11 @@ impl Namer {
         };
         (name.len() <= LONGEST).then_some(name)
     }
+}
+
+/// Whether a word is no keyword. None has an underscore beside other letters, so that most names need not be read as tokens.
+fn is_identifier(word: &str) -> bool {
+    (word.len() > 1 && word.contains('_')) || syn::parse_str::<Ident>(word).is_ok()
 }
 
 /// For each operation the named operation that all its users lead to, if that is one alone.

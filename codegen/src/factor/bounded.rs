@@ -1,8 +1,14 @@
 //! Numbers with a running bound of their rounding error, in units of the last place of 1.
+//!
+//! Sums, products and quotients choose between results and never branch, and are inlined where they are called, so that the
+//! compiler computes those of a [`Pack`] together.
+
+mod pack;
 
 use crate::graph::{Function, NamedConstant, Rational, Table};
 use crate::interpret::double_double::stand_in;
 use crate::interpret::{Number, constant_value};
+pub use pack::Pack;
 
 /// A value with a bound of its error in units of the last place of 1. An infinite value without an error is infinity itself, one
 /// with an infinite error is larger than any number; where the error is NaN, nothing is known of the number.
@@ -32,18 +38,17 @@ impl Bounded {
     }
 
     /// The result of an operation on numbers, of which some may be infinite themselves.
+    #[inline(always)]
     fn after(value: f64, inherited: f64, operands: &[Self]) -> Self {
-        if value.is_finite() {
-            return Self::rounded(value, inherited);
-        }
-        let from_infinity = |operand: &Self| operand.value.is_infinite() && operand.error == 0.0;
-        let error = if operands.iter().any(|operand| operand.error.is_nan()) {
-            f64::NAN
-        } else if operands.iter().any(from_infinity) {
-            0.0
-        } else {
-            f64::INFINITY
-        };
+        let any = |is: fn(&Self) -> bool| operands.iter().fold(false, |any, one| any | is(one));
+        let is_unknown = any(|operand| operand.error.is_nan());
+        let is_infinity = any(|operand| operand.value.is_infinite() & (operand.error == 0.0));
+        let beyond = pick(is_infinity, 0.0, f64::INFINITY);
+        let error = pick(
+            value.is_finite(),
+            inherited + value.abs(),
+            pick(is_unknown, f64::NAN, beyond),
+        );
         Self { value, error }
     }
 
@@ -56,23 +61,27 @@ impl Bounded {
     }
 
     /// A product or quotient of numbers other than 0, which loses digits or all of them below the smallest normal number.
+    #[inline(always)]
     fn scaled(value: f64, inherited: f64, operands: &[Self]) -> Self {
-        let mut scaled = Self::after(value, inherited, operands);
-        if value.abs() < f64::MIN_POSITIVE {
-            scaled.error += UNDERFLOW;
+        let after = Self::after(value, inherited, operands);
+        let lost = pick(value.abs() < f64::MIN_POSITIVE, UNDERFLOW, 0.0);
+        Self {
+            value,
+            error: after.error + lost,
         }
-        scaled
     }
 
     /// Whether its error is so large that it may be 0, or of the other sign.
+    #[inline(always)]
     fn is_lost(self) -> bool {
         self.value.is_finite()
-            && self.error * f64::EPSILON >= 0.5 * self.value.abs()
-            && self.error > 0.0
+            & (self.error * f64::EPSILON >= 0.5 * self.value.abs())
+            & (self.error > 0.0)
     }
 
+    #[inline(always)]
     fn is_unit(self) -> bool {
-        self.error == 0.0 && self.value.abs() == 1.0
+        (self.error == 0.0) & (self.value.abs() == 1.0)
     }
 
     /// Whether it has digits to lose.
@@ -84,21 +93,23 @@ impl Bounded {
     }
 }
 
+/// One of two numbers that are both known.
+#[inline(always)]
+fn pick(condition: bool, yes: f64, no: f64) -> f64 {
+    if condition { yes } else { no }
+}
+
 /// A share of an error that is none where there is no error, also of an infinite factor.
+#[inline(always)]
 fn share(factor: f64, error: f64) -> f64 {
-    if error == 0.0 || factor == 0.0 {
-        return 0.0;
-    }
-    // A share that is too small for a number is some all the same.
     let share = factor * error;
-    if share == 0.0 {
-        f64::MIN_POSITIVE
-    } else {
-        share
-    }
+    // A share that is too small for a number is some all the same.
+    let some = pick(share == 0.0, f64::MIN_POSITIVE, share);
+    pick((error == 0.0) | (factor == 0.0), 0.0, some)
 }
 
 /// What a product inherits, the product of both errors included: where digits cancelled it is the larger part.
+#[inline(always)]
 fn of_product(x: Bounded, y: Bounded) -> f64 {
     let second_order = share(x.error, y.error) * f64::EPSILON;
     share(x.value.abs(), y.error) + share(y.value.abs(), x.error) + second_order
@@ -133,50 +144,50 @@ impl Number for Bounded {
         Self::rounded(constant_value(constant), 0.0)
     }
 
+    #[inline(always)]
     fn add(&self, other: &Self) -> Self {
         let inherited = self.error + other.error;
         Self::after(self.value + other.value, inherited, &[*self, *other])
     }
 
+    #[inline(always)]
     fn multiply(&self, other: &Self) -> Self {
+        let operands = [*self, *other];
         let inherited = of_product(*self, *other);
         let value = self.value * other.value;
-        if value.is_finite() && (self.is_unit() || other.is_unit()) {
-            return Self {
-                value,
-                error: inherited,
-            };
+        let is_exact = value.is_finite() & (self.is_unit() | other.is_unit());
+        let is_zero = (self.value == 0.0) | (other.value == 0.0);
+        let of_zero = Self::after(value, inherited, &operands).error;
+        let scaled = Self::scaled(value, inherited, &operands).error;
+        Self {
+            value,
+            error: pick(is_exact, inherited, pick(is_zero, of_zero, scaled)),
         }
-        if self.value == 0.0 || other.value == 0.0 {
-            return Self::after(value, inherited, &[*self, *other]);
-        }
-        Self::scaled(value, inherited, &[*self, *other])
     }
 
+    #[inline(always)]
     fn divide(&self, other: &Self) -> Self {
-        let quotient = self.value / other.value;
-        if other.is_lost() || other.error.is_nan() {
-            return Self::unknown(quotient);
+        let operands = [*self, *other];
+        let value = self.value / other.value;
+        let inherited = (self.error + share(value.abs(), other.error)) / other.value.abs();
+        let is_exact = value.is_finite() & other.is_unit();
+        let of_zero = Self::after(value, inherited, &operands).error;
+        let scaled = Self::scaled(value, inherited, &operands).error;
+        let rounded = pick(self.value == 0.0, of_zero, scaled);
+        // By infinity itself it is 0; by what is larger than any number, something smaller than any.
+        let size = self.value.abs().max(1.0) * UNDERFLOW;
+        let by_infinity = pick(other.error == 0.0, 0.0, size);
+        let is_by_infinity = other.value.is_infinite() & (value == 0.0);
+        let known = pick(
+            is_by_infinity,
+            by_infinity,
+            pick(is_exact, inherited, rounded),
+        );
+        let is_unknown = other.is_lost() | other.error.is_nan();
+        Self {
+            value,
+            error: pick(is_unknown, f64::NAN, known),
         }
-        if other.value.is_infinite() && quotient == 0.0 {
-            // By infinity itself it is 0; by what is larger than any number, something smaller than any.
-            let size = self.value.abs().max(1.0) * UNDERFLOW;
-            return Self {
-                value: quotient,
-                error: if other.error == 0.0 { 0.0 } else { size },
-            };
-        }
-        let inherited = (self.error + share(quotient.abs(), other.error)) / other.value.abs();
-        if quotient.is_finite() && other.is_unit() {
-            return Self {
-                value: quotient,
-                error: inherited,
-            };
-        }
-        if self.value == 0.0 {
-            return Self::after(quotient, inherited, &[*self, *other]);
-        }
-        Self::scaled(quotient, inherited, &[*self, *other])
     }
 
     fn apply(function: Function, operands: &[Self]) -> Self {

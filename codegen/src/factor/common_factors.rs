@@ -4,34 +4,45 @@ use std::cmp::Reverse;
 use std::collections::{BTreeMap, BinaryHeap};
 
 use rustc_hash::FxHashMap;
+use smallvec::smallvec;
 
 use super::extract::sorted;
 use crate::budget::Budget;
-use crate::circuit::{Circuit, Net, Operation};
+use crate::circuit::{Circuit, Factors, Net, Operation};
 use crate::graph::Rational;
 
 /// A term of a sum, taken apart.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Term {
     coefficient: Rational,
-    factors: BTreeMap<Net, u32>,
+    /// By ascending handle.
+    factors: Factors,
 }
 
 impl Term {
     /// Whether it takes a multiplication.
     fn is_multiplied(&self) -> bool {
-        self.factors.values().sum::<u32>() > 1 || !self.coefficient.is_unit()
+        self.factors.iter().map(|(_, power)| power).sum::<u32>() > 1 || !self.coefficient.is_unit()
+    }
+
+    /// The place of a factor, or where it would be.
+    fn place_of(&self, factor: Net) -> Result<usize, usize> {
+        self.factors.binary_search_by_key(&factor, |(net, _)| *net)
     }
 
     fn multiply(&mut self, factor: Net, power: u32) {
-        *self.factors.entry(factor).or_insert(0) += power;
+        match self.place_of(factor) {
+            Ok(place) => self.factors[place].1 += power,
+            Err(place) => self.factors.insert(place, (factor, power)),
+        }
     }
 
     fn divide(&mut self, factor: Net) {
-        match self.factors.get_mut(&factor) {
-            Some(power) if *power > 1 => *power -= 1,
-            _ => {
-                self.factors.remove(&factor);
+        if let Ok(place) = self.place_of(factor) {
+            if self.factors[place].1 > 1 {
+                self.factors[place].1 -= 1;
+            } else {
+                self.factors.remove(place);
             }
         }
     }
@@ -48,10 +59,10 @@ pub(super) fn take_out(circuit: &mut Circuit, shared: bool, budget: &mut Budget)
         let terms = terms.iter().map(|(operand, coefficient)| {
             let factors = match circuit.operation(*operand) {
                 Operation::Product(factors) if shared || uses[operand.index()] == 1 => {
-                    factors.iter().copied().collect()
+                    factors.clone()
                 }
-                Operation::Number(value) if value.is_one() => BTreeMap::new(),
-                _ => BTreeMap::from([(*operand, 1)]),
+                Operation::Number(value) if value.is_one() => Factors::new(),
+                _ => smallvec![(*operand, 1)],
             };
             Term {
                 coefficient: coefficient.clone(),
@@ -69,7 +80,7 @@ pub(super) fn take_out(circuit: &mut Circuit, shared: bool, budget: &mut Budget)
 }
 
 fn product_of(circuit: &mut Circuit, term: &Term) -> Net {
-    circuit.product(term.factors.iter().map(|(net, power)| (*net, *power)))
+    circuit.product(term.factors.iter().copied())
 }
 
 /// The terms with common factors taken out, as long as that saves multiplications. A polynomial has as many levels as its
@@ -82,7 +93,7 @@ fn factored(circuit: &mut Circuit, terms: Level, budget: &mut Budget) -> Vec<Ter
             let divided = level.divided(factor);
             if divided
                 .iter()
-                .all(|term| term.factors.keys().all(|net| *net == factor))
+                .all(|term| term.factors.iter().all(|(net, _)| *net == factor))
             {
                 let inner = polynomial(circuit, factor, divided);
                 level.push(product_with(circuit, factor, inner));
@@ -103,7 +114,10 @@ fn factored(circuit: &mut Circuit, terms: Level, budget: &mut Budget) -> Vec<Ter
 
 /// What is left of a polynomial in one factor when it is taken out level by level: Horner's form, from within.
 fn polynomial(circuit: &mut Circuit, factor: Net, terms: Vec<Term>) -> Vec<Term> {
-    let power_of = |term: &Term| term.factors.get(&factor).copied().unwrap_or(0);
+    let power_of = |term: &Term| {
+        term.place_of(factor)
+            .map_or(0, |place| term.factors[place].1)
+    };
     // A level goes on as long as two of its terms take a multiplication that is saved.
     let mut last_levels: Vec<u32> = terms
         .iter()
@@ -115,7 +129,7 @@ fn polynomial(circuit: &mut Circuit, factor: Net, terms: Vec<Term>) -> Vec<Term>
     for mut term in terms {
         let power = power_of(&term);
         let level = power.min(last);
-        term.factors.remove(&factor);
+        term.factors.retain(|(net, _)| *net != factor);
         if power > level {
             term.multiply(factor, power - level);
         }
@@ -138,7 +152,7 @@ fn polynomial(circuit: &mut Circuit, factor: Net, terms: Vec<Term>) -> Vec<Term>
     }
     inner
         .iter_mut()
-        .for_each(|term| term.factors.retain(|_, power| *power > 0));
+        .for_each(|term| term.factors.retain(|(_, power)| *power > 0));
     inner
 }
 
@@ -169,7 +183,7 @@ fn sum_of(circuit: &mut Circuit, terms: Vec<Term>) -> Term {
         .map(|term| (product_of(circuit, &term), &term.coefficient / &content))
         .collect();
     Term {
-        factors: BTreeMap::from([(circuit.sum(terms), 1)]),
+        factors: smallvec![(circuit.sum(terms), 1)],
         coefficient: content,
     }
 }
@@ -208,7 +222,7 @@ impl Level {
 
     fn enter(&mut self, term: Term) {
         let multiplied = usize::from(term.is_multiplied());
-        for factor in term.factors.keys() {
+        for (factor, _) in &term.factors {
             let (places, count) = self.factors.entry(*factor).or_default();
             places.push(self.terms.len());
             *count += multiplied;
@@ -237,7 +251,7 @@ impl Level {
                 continue;
             };
             if term.is_multiplied() {
-                for other in term.factors.keys() {
+                for (other, _) in &term.factors {
                     self.count(*other, |count| count - 1);
                 }
             }
@@ -249,7 +263,7 @@ impl Level {
 
     /// Adds a term behind the others.
     fn push(&mut self, term: Term) {
-        let factors: Vec<Net> = term.factors.keys().copied().collect();
+        let factors: Vec<Net> = term.factors.iter().map(|(net, _)| *net).collect();
         self.enter(term);
         for factor in factors {
             self.count(factor, |count| count);

@@ -13,7 +13,7 @@ use crate::circuit::{Circuit, Net, Operation, Terms};
 use crate::graph::Rational;
 
 /// One kind of extraction.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Step {
     /// `a·b + a·c` becomes `a·(b + c)`; of a polynomial, Horner's form.
     Factors,
@@ -60,17 +60,27 @@ pub fn extract(circuit: &mut Circuit, steps: &[Step]) {
 /// each search has its own.
 pub fn extract_with(circuit: &mut Circuit, steps: &[Step], passes: Passes, budget: &mut Budget) {
     for step in steps.iter().filter(|step| passes.has(Pass::Step(**step))) {
-        match step {
-            Step::Factors => common_factors::take_out(circuit, false, budget),
-            Step::SharedFactors => common_factors::take_out(circuit, true, budget),
-            Step::Products => pairs::share::<u32>(circuit, budget),
-            Step::Sums => pairs::share::<Rational>(circuit, budget),
-            Step::Multiples => gather_multiples(circuit),
-            Step::Coefficients => coefficients::open(circuit),
-            Step::Distribute => coefficients::distribute(circuit),
-        }
-        circuit.tidy();
+        take(circuit, *step, budget);
     }
+    finish(circuit, passes, budget);
+}
+
+/// Takes one step.
+pub(super) fn take(circuit: &mut Circuit, step: Step, budget: &mut Budget) {
+    match step {
+        Step::Factors => common_factors::take_out(circuit, false, budget),
+        Step::SharedFactors => common_factors::take_out(circuit, true, budget),
+        Step::Products => pairs::share::<u32>(circuit, budget),
+        Step::Sums => pairs::share::<Rational>(circuit, budget),
+        Step::Multiples => gather_multiples(circuit),
+        Step::Coefficients => coefficients::open(circuit),
+        Step::Distribute => coefficients::distribute(circuit),
+    }
+    circuit.tidy();
+}
+
+/// What follows the last step of every order.
+pub(super) fn finish(circuit: &mut Circuit, passes: Passes, budget: &mut Budget) {
     let mut run = |pass: Pass, change: fn(&mut Circuit, &mut Budget)| {
         if passes.has(pass) {
             change(circuit, budget);

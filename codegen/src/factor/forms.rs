@@ -7,18 +7,28 @@ use crate::circuit::Circuit;
 use crate::differentiate;
 use crate::graph::{ExprId, Graph, SymbolId};
 use crate::outputs::{Held, Outputs};
-use crate::parallel::on_all_cores;
+use crate::parallel::{SEARCHED, on_worthwhile_cores};
 use crate::rewrite::{self, Form};
 
 /// The outputs with equal expressions as one, with the partials of the reverse and of the forward mode.
-pub(super) fn merged_forms(graph: &Graph, outputs: &Outputs, passes: Passes) -> Vec<Form> {
+pub(super) struct Merged {
+    pub(super) forms: Vec<Form>,
+    /// Whether any expressions of the first form were equal.
+    pub(super) is_changed: bool,
+}
+
+/// The outputs with equal expressions as one.
+pub(super) fn merged_forms(graph: &Graph, outputs: &Outputs, passes: Passes) -> Merged {
     let forward = passes
         .has(Pass::Forward)
         .then(|| forward(graph, outputs))
         .flatten();
-    let forward = forward.map(|(graph, all)| unified(&graph, &all, passes));
-    let reverse = unified(graph, &outputs.all(), passes);
-    [reverse].into_iter().chain(forward).collect()
+    let forward = forward.map(|(graph, all)| unified(&graph, &all, passes).0);
+    let (reverse, is_changed) = unified(graph, &outputs.all(), passes);
+    Merged {
+        forms: [reverse].into_iter().chain(forward).collect(),
+        is_changed,
+    }
 }
 
 /// The circuits of held products.
@@ -33,14 +43,17 @@ pub(super) fn held_forms(held: &Held, passes: Passes) -> Vec<Circuit> {
     forms
 }
 
-/// Equal expressions as one.
-fn unified(graph: &Graph, all: &[ExprId], passes: Passes) -> Form {
-    if !passes.has(Pass::Identities) {
-        return rewrite::rewrite(graph, all);
+/// Equal expressions as one, and whether any were equal.
+fn unified(graph: &Graph, all: &[ExprId], passes: Passes) -> (Form, bool) {
+    let merged = passes
+        .has(Pass::Identities)
+        .then(|| identities::merge(graph, all))
+        .flatten();
+    match merged {
+        // What has become equal may cancel now.
+        Some((graph, all)) => (rewrite::rewrite(&graph, &all), true),
+        None => (rewrite::rewrite(graph, all), false),
     }
-    let merged = identities::merge(graph, all);
-    // What has become equal may cancel now.
-    rewrite::rewrite(&merged.0, &merged.1)
 }
 
 /// The largest graph of which the forward mode's partials are tried too: it writes each partial on its own, which takes
@@ -79,12 +92,14 @@ pub(super) fn lowered_forms(
     outputs: &Outputs,
     passes: Passes,
 ) -> Vec<Circuit> {
-    let is_huge = graph.reachable(&roots).len() > HUGE;
+    let size = graph.reachable(&roots).len();
+    let is_huge = size > HUGE;
     let mut forms = vec![(graph, roots)];
     if !is_huge {
         add_rewritten(&mut forms, passes);
     }
-    let lowered = on_all_cores(&forms, |(graph, roots)| {
+    let work = SEARCHED * size * forms.len();
+    let lowered = on_worthwhile_cores(&forms, work, |(graph, roots)| {
         let mut graph = graph.clone();
         let rebuilt = (!is_huge && passes.has(Pass::Homogeneous))
             .then(|| homogeneous::rebuild_values(&mut graph, &outputs.with_all(roots)))

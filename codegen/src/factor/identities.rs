@@ -1,23 +1,29 @@
 //! Expressions that are equal though they are written differently become one.
 
-use std::collections::HashMap;
+use std::cmp::Reverse;
+
+use rustc_hash::FxHashMap;
 
 use crate::fingerprint::{Fingerprint, Residue, is_zero, node_at, without_sign};
 use crate::graph::{ExprId, Graph, Node, Rational, whole};
 use crate::outputs::Held;
+use crate::rewrite::Form;
 
 /// Sums of more terms than this are not searched for equal parts: the search tries all subsets.
 const MOST_TERMS: usize = 10;
 
 /// Rebuilds the roots so that expressions with equal fingerprints, up to sign, are the same node, and sums whose parts
-/// repeat each other are shortened.
-pub fn merge(graph: &Graph, roots: &[ExprId]) -> (Graph, Vec<ExprId>) {
+/// repeat each other are shortened; `None` where there is none of either.
+pub fn merge(graph: &Graph, roots: &[ExprId]) -> Option<Form> {
     let mut target = Graph::with_symbols_of(graph);
     let mut merger = Merger::default();
+    let mut is_changed = false;
     let roots = graph.rebuild(&mut target, roots, |target, _, image| {
-        merger.representative(target, image)
+        let representative = merger.representative(target, image);
+        is_changed |= representative != image;
+        representative
     });
-    (target, roots)
+    is_changed.then_some((target, roots))
 }
 
 /// Merges equal expressions of a form with held products, each of which has the value of its definition.
@@ -48,7 +54,7 @@ pub fn merge_held(held: &Held) -> Held {
 struct Merger {
     /// By position in the target.
     fingerprints: Vec<Option<Fingerprint>>,
-    known: HashMap<Fingerprint, (ExprId, bool)>,
+    known: FxHashMap<Fingerprint, (ExprId, bool)>,
 }
 
 impl Merger {
@@ -141,34 +147,35 @@ impl Merger {
 fn equal_parts(values: &[Fingerprint]) -> Option<(usize, usize, bool)> {
     let subsets = 1_usize << values.len();
     let mut sums: Vec<Fingerprint> = vec![[Residue::ZERO; 2]; subsets];
-    let mut by_sum: HashMap<Fingerprint, Vec<(usize, bool)>> = HashMap::new();
-    let mut best: Option<(usize, usize, bool)> = None;
+    let mut unsigned: Vec<(Fingerprint, usize, bool)> = Vec::with_capacity(subsets);
     for set in 1..subsets {
         let last = set.trailing_zeros() as usize;
         let rest = sums[set & (set - 1)];
         sums[set] = [rest[0].plus(values[last][0]), rest[1].plus(values[last][1])];
-        let (unsigned, negated) = without_sign(sums[set]);
-        let equals = by_sum.entry(unsigned).or_default();
-        for (other, other_negated) in equals.iter().filter(|(other, _)| other & set == 0) {
-            let (kept, dropped) = if other.count_ones() <= set.count_ones() {
-                (*other, set)
-            } else {
-                (set, *other)
-            };
-            let saves = |candidate: (usize, usize, bool)| {
-                candidate.1.count_ones()
-                    + if candidate.2 {
-                        0
-                    } else {
-                        candidate.0.count_ones()
-                    }
-            };
-            let candidate = (kept, dropped, negated == *other_negated);
-            if best.is_none_or(|best| saves(candidate) > saves(best)) {
-                best = Some(candidate);
-            }
-        }
-        equals.push((set, negated));
+        let (sum, negated) = without_sign(sums[set]);
+        unsigned.push((sum, set, negated));
     }
-    best.filter(|(kept, dropped, _)| kept.count_ones() + dropped.count_ones() > 2)
+    unsigned.sort_unstable();
+    let equals = unsigned.chunk_by(|left, right| left.0 == right.0);
+    let pairs = equals.flat_map(|equals| {
+        equals.iter().enumerate().flat_map(|(place, later)| {
+            let earlier = equals[..place].iter();
+            earlier.map(move |earlier| (earlier, later))
+        })
+    });
+    let disjoint = pairs.filter(|((_, other, _), (_, set, _))| other & set == 0);
+    let candidates = disjoint.map(|((_, other, other_negated), (_, set, negated))| {
+        let (kept, dropped) = if other.count_ones() <= set.count_ones() {
+            (*other, *set)
+        } else {
+            (*set, *other)
+        };
+        let same_sign = negated == other_negated;
+        let of_kept = if same_sign { 0 } else { kept.count_ones() };
+        // Of those that save as much it is the first: the one whose later set is the least, and of these the earlier.
+        let saved = (dropped.count_ones() + of_kept, Reverse((*set, *other)));
+        (saved, (kept, dropped, same_sign))
+    });
+    let best = candidates.max_by_key(|(saved, _)| *saved)?.1;
+    (best.0.count_ones() + best.1.count_ones() > 2).then_some(best)
 }

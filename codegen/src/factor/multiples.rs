@@ -1,7 +1,6 @@
 //! Multiples that several operations have.
 
-use std::collections::BTreeMap;
-
+use rustc_hash::FxHashMap;
 use smallvec::smallvec;
 
 use super::extract::sorted;
@@ -38,7 +37,7 @@ pub fn share(circuit: &mut Circuit) {
 
 /// How often there are which multiples in a circuit.
 struct Multiples {
-    counts: BTreeMap<Key, usize>,
+    counts: FxHashMap<Key, usize>,
     /// How often what the results need uses each operation.
     uses: Vec<usize>,
 }
@@ -46,7 +45,7 @@ struct Multiples {
 impl Multiples {
     fn of(circuit: &Circuit) -> Self {
         let uses = circuit.live_uses();
-        let mut counts: BTreeMap<Key, usize> = BTreeMap::new();
+        let mut counts: FxHashMap<Key, usize> = FxHashMap::default();
         for net in circuit.nets() {
             let Operation::Sum(terms) = circuit.operation(net) else {
                 continue;

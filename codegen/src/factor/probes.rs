@@ -75,7 +75,7 @@ const ALONE: usize = 96;
 /// How many have several, where there are more than two numbers.
 const TOGETHER: u64 = 96;
 
-/// What looking at all points costs at most, in operations, each of which takes some 20 ns: a formula of more than 2,600
+/// What looking at all points costs at most, in operations, each of which takes some 10 ns: a formula of more than 2,600
 /// operations is looked at on fewer points, of every kind the same share.
 const WORK: usize = 1 << 20;
 

@@ -9,16 +9,19 @@
 //! in twice the digits. There each form also has to be the same number as the author's to some 28 digits, which confirms all
 //! that was taken for equal on the way to it.
 
+mod author;
+
 use std::fmt;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use super::bounded::Bounded;
+use super::bounded::Pack;
 use super::probes;
 use crate::circuit::{Circuit, Operation};
 use crate::graph::{ExprId, Function, Graph, Symbol, SymbolId};
 use crate::interpret::double_double::DoubleDouble;
 use crate::interpret::{Number, Prepared};
-use crate::parallel::on_all_cores;
+use crate::parallel::{WORTH_A_THREAD, on_all_cores};
+use author::{Author, Group, Measured, exactly, lane_of, lenient, packed};
 
 /// How much larger than the author's the error of a form may be. Both are bounds, which grow with the number of
 /// operations; a cancellation is larger by orders of magnitude.
@@ -83,85 +86,15 @@ static REFUTED: AtomicUsize = AtomicUsize::new(0);
 pub struct Reference {
     /// The symbols' names, of those that the numbers depend on.
     names: Vec<Option<String>>,
-    points: Vec<Vec<Bounded>>,
-    outputs: Vec<Vec<Bounded>>,
-    groups: Vec<Vec<Measured>>,
+    /// The symbols' values, by packs of points.
+    points: Vec<Vec<Pack>>,
+    outputs: Vec<Vec<Pack>>,
+    groups: Vec<Group>,
 }
 
-/// The author's numbers at a point, with their errors.
-struct Measured {
-    at: Vec<f64>,
-    bounds: Vec<Bounded>,
-    /// The author's numbers at a point, with partials in the reverse mode.
-    reverse: Vec<Bounded>,
-    exact: Vec<DoubleDouble>,
-}
-
-impl Measured {
-    fn of(author: &Author, at: Vec<f64>) -> Self {
-        let [bounds, reverse] = author.bounds(&at, &mut Vec::new());
-        let symbols: Vec<DoubleDouble> = at.iter().copied().map(DoubleDouble::exact).collect();
-        Self {
-            exact: author.exact.at(&symbols),
-            bounds: lenient(&bounds, &reverse),
-            reverse,
-            at,
-        }
-    }
-}
-
-/// The author's form, ready to be evaluated.
-struct Author {
-    /// The numbers with partials as dual numbers have them, then the numbers with partials in the reverse mode.
-    both: Prepared<Bounded>,
-    /// Where the numbers with partials as dual numbers have them begin.
-    exact: Prepared<DoubleDouble>,
-    /// How many numbers there are.
-    count: usize,
-}
-
-impl Author {
-    /// `None` if there is an integral, of which there is no code.
-    fn of(written: &Written) -> Option<Self> {
-        let Written {
-            graph,
-            roots,
-            reverse,
-            ..
-        } = written;
-        let all = [roots.as_slice(), reverse].concat();
-        Some(Self {
-            both: Prepared::of_graph(graph, &graph.reachable(&all), &all)?,
-            exact: Prepared::of_graph(graph, &graph.reachable(roots), roots)?,
-            count: roots.len(),
-        })
-    }
-
-    /// The numbers in both modes.
-    fn bounds(&self, at: &[f64], memory: &mut Vec<Bounded>) -> [Vec<Bounded>; 2] {
-        let symbols: Vec<Bounded> = at.iter().copied().map(Bounded::exact).collect();
-        let mut bounds = self.both.at_with(&symbols, memory);
-        let reverse = bounds.split_off(self.count);
-        [bounds, reverse]
-    }
-}
-
-/// Numbers with the larger of two errors: one way to derive the author's operations is as good as the other.
-fn lenient(forward: &[Bounded], reverse: &[Bounded]) -> Vec<Bounded> {
-    let both = forward.iter().zip(reverse);
-    let larger = |(forward, reverse): (&Bounded, &Bounded)| {
-        let error = if reverse.value.is_finite() {
-            forward.error.max(reverse.error)
-        } else {
-            forward.error
-        };
-        Bounded {
-            value: forward.value,
-            error,
-        }
-    };
-    both.map(larger).collect()
-}
+/// The packs of points at which forms were found wrong: where one is, others often are.
+#[derive(Clone, Debug, Default)]
+pub struct Decisive(Vec<usize>);
 
 impl Reference {
     /// The author's form.
@@ -195,26 +128,25 @@ impl Reference {
         };
         let share = probes::share(author.both.len());
         let points = probes::points(graph, roots, differences, share);
-        let outputs = in_parts(&points, author.both.len(), |points| {
+        let points: Vec<Vec<Pack>> = points.chunks(Pack::LANES).map(packed).collect();
+        let outputs = in_parts(&points, Pack::LANES * author.both.len(), |points| {
             let mut memory = Vec::new();
-            let lenient = |at: &Vec<f64>| {
+            let lenient = |at: &Vec<Pack>| {
                 let [forward, reverse] = author.bounds(at, &mut memory);
                 lenient(&forward, &reverse)
             };
             points.iter().map(lenient).collect::<Vec<_>>()
         });
-        let exact = |values: Vec<f64>| values.into_iter().map(Bounded::exact).collect();
         let groups = probes::groups(graph, differences, share);
         let measured = in_parts(&groups, OF_A_GROUP * author.both.len(), |groups| {
-            let of_group = |group: &Vec<Vec<f64>>| {
-                let points = group.iter().cloned();
-                points.map(|at| Measured::of(&author, at)).collect()
-            };
-            groups.iter().map(of_group).collect::<Vec<_>>()
+            let groups = groups.iter();
+            groups
+                .map(|points| Group::of(&author, points))
+                .collect::<Vec<_>>()
         });
         Self {
             names,
-            points: points.into_iter().map(exact).collect(),
+            points,
             outputs: outputs.into_iter().flatten().collect(),
             groups: measured.into_iter().flatten().collect(),
         }
@@ -222,35 +154,60 @@ impl Reference {
 
     /// What is wrong with a circuit of the same outputs; nothing where it is as right as the author's form.
     pub fn fault(&self, graph: &Graph, circuit: &Circuit) -> Option<Fault> {
+        self.fault_by(graph, circuit, &mut Decisive::default())
+    }
+
+    /// What is wrong with a circuit, looked for first where others were found wrong.
+    pub fn fault_by(
+        &self,
+        graph: &Graph,
+        circuit: &Circuit,
+        decisive: &mut Decisive,
+    ) -> Option<Fault> {
         let prepared = Prepared::of_circuit(graph, circuit);
+        let known = decisive.0.iter();
+        let memory = &mut Vec::new();
+        let fault = known
+            .filter_map(|place| self.fault_at(*place, &prepared, memory))
+            .next();
+        if fault.is_some() {
+            return fault;
+        }
+        match self.first_fault(&prepared) {
+            Some((place, fault)) => {
+                decisive.0.push(place);
+                Some(fault)
+            }
+            None => self.fault_of_groups(graph, circuit, &prepared),
+        }
+    }
+
+    /// What is wrong at the first point where anything is, and the place of its pack.
+    fn first_fault(&self, prepared: &Prepared<Pack>) -> Option<(usize, Fault)> {
         let first = AtomicUsize::new(usize::MAX);
         let places: Vec<usize> = (0..self.points.len()).collect();
-        let found = in_parts(&places, prepared.len(), |places| {
+        let found = in_parts(&places, Pack::LANES * prepared.len(), |places| {
             let mut memory = Vec::new();
             for place in places {
                 // One point decides: the first that does, whichever core finds one sooner.
                 if first.load(Ordering::Relaxed) < *place {
                     return None;
                 }
-                if let Some(fault) = self.fault_at(*place, &prepared, &mut memory) {
+                if let Some(fault) = self.fault_at(*place, prepared, &mut memory) {
                     first.fetch_min(*place, Ordering::Relaxed);
-                    return Some(fault);
+                    return Some((*place, fault));
                 }
             }
             None
         });
-        found
-            .into_iter()
-            .flatten()
-            .next()
-            .or_else(|| self.fault_of_groups(graph, circuit, &prepared))
+        found.into_iter().flatten().next()
     }
 
     fn fault_of_groups(
         &self,
         graph: &Graph,
         circuit: &Circuit,
-        bounds: &Prepared<Bounded>,
+        bounds: &Prepared<Pack>,
     ) -> Option<Fault> {
         let other = Other {
             bounds,
@@ -263,48 +220,50 @@ impl Reference {
             .next()
     }
 
+    /// What is wrong at the first point of a pack where anything is.
     fn fault_at(
         &self,
         place: usize,
-        prepared: &Prepared<Bounded>,
-        memory: &mut Vec<Bounded>,
+        prepared: &Prepared<Pack>,
+        memory: &mut Vec<Pack>,
     ) -> Option<Fault> {
         let at = &self.points[place];
         let found = prepared.at_with(at, memory);
-        let text = || self.text(at.iter().map(|number| number.value));
-        self.outputs[place]
-            .iter()
-            .zip(&found)
-            .find_map(|(known, found)| {
+        let outputs = &self.outputs[place];
+        let text = |lane: usize| self.text(lane_of(at, lane).iter().map(|number| number.value));
+        (0..Pack::LANES).find_map(|lane| {
+            let mut both = outputs.iter().zip(&found);
+            both.find_map(|(known, found)| {
+                let (known, found) = (known.lane(lane), found.lane(lane));
                 if !known.value.is_finite() {
                     return None;
                 }
                 if !found.value.is_finite() {
-                    return Some(Fault::NotFinite(text()));
+                    return Some(Fault::NotFinite(text(lane)));
                 }
                 let bound = ALLOWED * (known.error + known.value.abs());
                 let apart = (known.value - found.value).abs();
                 let is_near =
                     found.error <= bound && apart <= ALLOWED * f64::EPSILON * (bound + found.error);
-                (known.has_digits() && !is_near).then(|| Fault::LosesDigits(text()))
+                (known.has_digits() && !is_near).then(|| Fault::LosesDigits(text(lane)))
             })
+        })
     }
 
     /// Compares the errors of both forms at points that differ in their last digits alone: the larger one of some is no
     /// matter of chance.
-    fn fault_of_group(&self, group: &[Measured], other: &Other<'_>) -> Option<Fault> {
+    fn fault_of_group(&self, group: &Group, other: &Other<'_>) -> Option<Fault> {
         let mut errors: Vec<[f64; 2]> = Vec::new();
-        for Measured {
-            at,
-            bounds,
-            reverse,
-            exact,
-        } in group
-        {
-            let symbols: Vec<Bounded> = at.iter().copied().map(Bounded::exact).collect();
-            let found = other.bounds.at(&symbols);
-            let symbols: Vec<DoubleDouble> = at.iter().copied().map(DoubleDouble::exact).collect();
-            let found_exact = other.exact.at(&symbols);
+        let found = other.bounds.at(&group.symbols);
+        for (lane, measured) in group.points.iter().enumerate() {
+            let Measured {
+                at,
+                bounds,
+                reverse,
+                exact,
+            } = measured;
+            let found = lane_of(&found, lane);
+            let found_exact = other.exact.at(&exactly(at));
             errors.resize(bounds.len(), [0.0; 2]);
             for (place, known) in bounds.iter().enumerate() {
                 let (exact, found_exact) = (exact[place], found_exact[place]);
@@ -333,7 +292,7 @@ impl Reference {
             }
         }
         let loses = |[author, other]: &[f64; 2]| *other > ALLOWED * (author + 4.0 * f64::EPSILON);
-        let text = || self.text(group[0].at.iter().copied());
+        let text = || self.text(group.points[0].at.iter().copied());
         errors.iter().any(loses).then(|| Fault::LosesDigits(text()))
     }
 
@@ -346,9 +305,6 @@ impl Reference {
         values.join(", ")
     }
 }
-
-/// The least operations that are worth a thread: some hundred microseconds of work.
-const WORTH_A_THREAD: usize = 1 << 14;
 
 /// What an operation at all points of a group, in twice the digits too, counts for beside one at a point.
 const OF_A_GROUP: usize = 16;
@@ -366,7 +322,7 @@ fn in_parts<T: Sync, R: Send>(
 
 /// Another form, ready to be evaluated.
 struct Other<'o> {
-    bounds: &'o Prepared<Bounded>,
+    bounds: &'o Prepared<Pack>,
     exact: &'o Prepared<DoubleDouble>,
     has_no_corners: bool,
 }

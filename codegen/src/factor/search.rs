@@ -1,10 +1,11 @@
 //! The search for the cheapest circuit: which forms are taken apart in which orders of extraction.
 
-use super::extract::{self, ORDERS, Step};
+use std::collections::BTreeSet;
+
+use super::extract::{ORDERS, Step};
+use super::orders::Orders;
 use super::passes::Passes;
-use crate::budget::Budget;
 use crate::circuit::Circuit;
-use crate::parallel::on_all_cores;
 
 /// Works out forms in the orders of extraction: the most promising forms in all orders first, the others only where those
 /// lose digits.
@@ -12,11 +13,13 @@ use crate::parallel::on_all_cores;
 /// Which form is best shows in one or two orders; trying them all on every form takes three to six times as long and has
 /// found nothing cheaper in any formula that was looked at.
 pub(super) struct Search {
-    /// The forms with what the first orders made of them, the dearest first.
-    forms: Vec<(Circuit, Vec<Circuit>)>,
+    /// The forms with what the first orders made of them, by their places, the dearest first.
+    forms: Vec<(usize, Vec<usize>)>,
     /// The orders that are left to be tried.
     rest: Vec<&'static [Step]>,
-    passes: Passes,
+    orders: Orders,
+    /// The places of the circuits that were given already.
+    given: BTreeSet<usize>,
 }
 
 /// Forms that are worked out together.
@@ -35,7 +38,17 @@ const REST_OF_LARGE: [usize; 3] = [1, 7, 8];
 pub(super) const HUGE: usize = 2_000;
 
 impl Search {
-    pub(super) fn new(forms: Vec<Circuit>, passes: Passes) -> Self {
+    pub(super) fn new(passes: Passes) -> Self {
+        Self {
+            forms: Vec::new(),
+            rest: Vec::new(),
+            orders: Orders::new(passes),
+            given: BTreeSet::new(),
+        }
+    }
+
+    /// Goes on with other forms. A circuit that was given before is not given again.
+    pub(super) fn enter(&mut self, forms: Vec<Circuit>) {
         let size = forms.iter().map(|form| form.nets().count()).max();
         let size = size.unwrap_or(0);
         let all = 0..ORDERS.len();
@@ -47,25 +60,24 @@ impl Search {
             let rest = all.filter(|place| !FIRST_ORDERS.contains(place));
             (&FIRST_ORDERS, rest.collect())
         };
-        let orders = |places: &[usize]| places.iter().map(|place| ORDERS[*place]).collect();
-        let (first, rest): (Vec<_>, Vec<_>) = (orders(first), orders(&rest));
-        let mut tried = extracted(&forms, &first, passes).into_iter();
-        let mut forms: Vec<_> = forms
-            .into_iter()
-            .map(|form| (form, tried.by_ref().take(first.len()).collect::<Vec<_>>()))
-            .collect();
-        let least = |(_, tried): &(Circuit, Vec<Circuit>)| {
-            let weights = tried.iter().map(|circuit| circuit.cost().weight());
+        let of = |places: &[usize]| places.iter().map(|place| ORDERS[*place]).collect();
+        let (first, rest): (Vec<_>, Vec<_>) = (of(first), of(&rest));
+        let orders = &mut self.orders;
+        let forms = forms.into_iter().map(|form| orders.place_of(form));
+        let forms: Vec<usize> = forms.collect();
+        let tried = orders.extracted(&forms, &first);
+        let tried = tried.chunks(first.len()).map(<[usize]>::to_vec);
+        let mut forms: Vec<_> = forms.into_iter().zip(tried).collect();
+        let least = |(_, tried): &(usize, Vec<usize>)| {
+            let weights = tried
+                .iter()
+                .map(|place| orders.circuit(*place).cost().weight());
             weights.min()
         };
         // The first of equals comes first.
         forms.reverse();
-        forms.sort_by_key(|form| std::cmp::Reverse(least(form)));
-        Self {
-            forms,
-            rest,
-            passes,
-        }
+        forms.sort_by_cached_key(|form| std::cmp::Reverse(least(form)));
+        (self.forms, self.rest) = (forms, rest);
     }
 }
 
@@ -78,20 +90,10 @@ impl Iterator for Search {
         if forms.is_empty() {
             return None;
         }
-        tried.push(extracted(&forms, &self.rest, self.passes));
-        Some(tried.into_iter().flatten().collect())
+        tried.push(self.orders.extracted(&forms, &self.rest));
+        let places = tried.into_iter().flatten();
+        let new = places.filter(|place| self.given.insert(*place));
+        let circuits = new.map(|place| self.orders.circuit(place).clone());
+        Some(circuits.collect())
     }
-}
-
-/// Every circuit in every order of extraction, one after the other.
-fn extracted(lowered: &[Circuit], orders: &[&[Step]], passes: Passes) -> Vec<Circuit> {
-    let ways = lowered
-        .iter()
-        .flat_map(|circuit| orders.iter().map(move |order| (circuit, *order)));
-    let ways: Vec<_> = ways.collect();
-    on_all_cores(&ways, |(circuit, order)| {
-        let mut circuit = Circuit::clone(circuit);
-        extract::extract_with(&mut circuit, order, passes, &mut Budget::default());
-        circuit
-    })
 }

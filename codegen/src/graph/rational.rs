@@ -1,5 +1,7 @@
 //! Rational constants. Nearly all are 1, −1 and other small fractions, which are held without memory of their own.
 
+mod large;
+
 use std::cmp::Ordering;
 use std::fmt;
 use std::hash::{Hash, Hasher};
@@ -13,13 +15,15 @@ use num_rational::BigRational;
 use num_traits::{Pow, Signed, ToPrimitive};
 use smallvec::{Array, SmallVec};
 
+use large::{common_divisor, product, sum};
+
 /// An exact rational constant.
 #[derive(Clone, PartialEq, Eq, Hash)]
 pub struct Rational(Parts);
 
 /// The parts of a fraction in lowest terms with a denominator above 0, the smaller kind wherever it holds them: equal numbers
 /// have equal parts.
-#[derive(Clone, PartialEq, Eq)]
+#[derive(Clone, Eq)]
 enum Parts {
     /// Both magnitudes are at most [`i64::MAX`]. As the denominator is not zero, a number is no longer than its two parts.
     Small(i64, NonZeroU64),
@@ -30,6 +34,20 @@ use Parts::{Large, Small};
 
 /// The denominator of a whole number.
 const WHOLE: NonZeroU64 = NonZeroU64::MIN;
+
+impl PartialEq for Parts {
+    fn eq(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Small(a, b), Small(c, d)) => (a, b) == (c, d),
+            // Their own comparison divides its way to the parts.
+            (Large(left), Large(right)) => {
+                Arc::ptr_eq(left, right)
+                    || (left.numer() == right.numer() && left.denom() == right.denom())
+            }
+            _ => false,
+        }
+    }
+}
 
 impl Hash for Parts {
     fn hash<H: Hasher>(&self, state: &mut H) {
@@ -60,7 +78,16 @@ impl Rational {
 
     /// The quotient of two whole numbers; the denominator is not zero.
     pub fn new(numerator: BigInt, denominator: BigInt) -> Self {
-        Self::of_big(BigRational::new(numerator, denominator))
+        let divisor = common_divisor(&numerator, &denominator);
+        let divisor = if denominator.is_negative() {
+            -divisor
+        } else {
+            divisor
+        };
+        Self::of_big(BigRational::new_raw(
+            numerator / &divisor,
+            denominator / &divisor,
+        ))
     }
 
     /// A whole number.
@@ -255,6 +282,7 @@ impl Rational {
                 let odd = numerator.unsigned_abs() >> numerator.trailing_zeros().min(63);
                 denominator.is_power_of_two() && odd < 1 << 53
             }
+            Large(value) if value.denom().magnitude().count_ones() > 1 => false,
             Large(_) => {
                 let nearest = self.to_f64().and_then(Self::of_f64);
                 nearest.is_some_and(|nearest| nearest == *self)
@@ -300,7 +328,10 @@ impl Ord for Rational {
             (Small(a, b), Small(c, d)) => {
                 (i128::from(*a) * i128::from(d.get())).cmp(&(i128::from(*c) * i128::from(b.get())))
             }
-            _ => self.to_big().cmp(&other.to_big()),
+            _ => {
+                let left = self.numerator() * other.denominator();
+                left.cmp(&(other.numerator() * self.denominator()))
+            }
         }
     }
 }
@@ -347,7 +378,7 @@ impl Add<&Rational> for &Rational {
                     Rational::reduced(a * d + c * b, b * d)
                 }
             }
-            _ => Rational::of_big(self.to_big() + other.to_big()),
+            _ => sum(&self.to_big(), &other.to_big()),
         }
     }
 }
@@ -367,7 +398,7 @@ impl Mul<&Rational> for &Rational {
                 let [b, d] = [b, d].map(|part| i128::from(part.get()));
                 Rational::reduced(a * c, b * d)
             }
-            _ => Rational::of_big(self.to_big() * other.to_big()),
+            _ => product(&self.to_big(), &other.to_big()),
         }
     }
 }
@@ -388,12 +419,13 @@ impl Div<&Rational> for &Rational {
         match (&self.0, &other.0) {
             (_, Small(1, WHOLE)) => self.clone(),
             (_, Small(-1, WHOLE)) => -self,
+            (Large(a), Large(b)) if a == b => Rational::ONE,
             (Small(a, b), Small(c, d)) if *c != 0 => {
                 let [a, c] = [a, c].map(|part| i128::from(*part));
                 let [b, d] = [b, d].map(|part| i128::from(part.get()));
                 Rational::reduced(a * d, b * c)
             }
-            _ => Rational::of_big(self.to_big() / other.to_big()),
+            _ => product(&self.to_big(), &other.to_big().recip()),
         }
     }
 }

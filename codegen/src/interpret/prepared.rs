@@ -6,15 +6,17 @@ use std::sync::Arc;
 
 use smallvec::SmallVec;
 
-use super::{Number, raised};
+use super::{Number, times_power};
 use crate::circuit::{Circuit, Operation};
 use crate::graph::{ExprId, Function, Graph, Node, Rational, Table};
 
 /// Operations in order, operands before their users, over one kind of number.
 pub struct Prepared<N> {
-    steps: Vec<Step<N>>,
-    /// What sums add: places of earlier steps, with coefficients other than 1.
-    terms: Vec<(u32, Option<N>)>,
+    steps: Vec<Step>,
+    /// All constants and coefficients.
+    constants: Vec<N>,
+    /// What sums add: places of earlier steps, with the places of coefficients other than 1.
+    terms: Vec<(u32, Option<u32>)>,
     /// What products multiply: places of earlier steps with powers.
     factors: Vec<(u32, u32)>,
     /// What functions are of.
@@ -24,8 +26,8 @@ pub struct Prepared<N> {
 }
 
 /// An operation; what it is of is a part of an array of [`Prepared`].
-enum Step<N> {
-    Value(N),
+enum Step {
+    Constant(u32),
     Symbol(usize),
     Sum(Range<u32>),
     Product(Range<u32>),
@@ -61,6 +63,7 @@ impl<N: Number> Prepared<N> {
     fn empty(graph: &Graph, steps: usize) -> Self {
         Self {
             steps: Vec::with_capacity(steps),
+            constants: Vec::new(),
             terms: Vec::new(),
             factors: Vec::new(),
             operands: Vec::new(),
@@ -83,16 +86,13 @@ impl<N: Number> Prepared<N> {
         Some(prepared)
     }
 
-    fn step_of_node(&mut self, graph: &Graph, id: ExprId, places: &[u32]) -> Option<Step<N>> {
+    fn step_of_node(&mut self, graph: &Graph, id: ExprId, places: &[u32]) -> Option<Step> {
         let place = |operand: &ExprId| places[operand.index()];
         Some(match graph.node(id) {
-            Node::Number(number) => Step::Value(N::rational(number)),
-            Node::Constant(constant) => Step::Value(N::constant(*constant)),
+            Node::Number(number) => Step::Constant(self.constant(N::rational(number))),
+            Node::Constant(constant) => Step::Constant(self.constant(N::constant(*constant))),
             Node::Symbol(symbol) => Step::Symbol(symbol.index()),
-            Node::Sum(terms) => {
-                let terms = terms.iter().map(|(operand, q)| term(place(operand), q));
-                Step::Sum(added(&mut self.terms, terms))
-            }
+            Node::Sum(terms) => self.sum(terms.iter().map(|(operand, q)| (place(operand), q))),
             Node::Product(factors) => {
                 let side = |sign: i32| {
                     let factors = factors.iter().filter(move |(_, n)| n.signum() == sign);
@@ -135,14 +135,13 @@ impl<N: Number> Prepared<N> {
         prepared
     }
 
-    fn step_of_operation(&mut self, operation: &Operation) -> Step<N> {
+    fn step_of_operation(&mut self, operation: &Operation) -> Step {
         match operation {
-            Operation::Number(number) => Step::Value(N::rational(number)),
+            Operation::Number(number) => Step::Constant(self.constant(N::rational(number))),
             Operation::Symbol(symbol) => Step::Symbol(symbol.index()),
             Operation::Sum(terms) => {
                 let terms = terms.iter();
-                let terms = terms.map(|(operand, q)| term(operand.index() as u32, q));
-                Step::Sum(added(&mut self.terms, terms))
+                self.sum(terms.map(|(operand, q)| (operand.index() as u32, q)))
             }
             Operation::Product(factors) => {
                 let factors = factors.iter();
@@ -166,6 +165,23 @@ impl<N: Number> Prepared<N> {
                 argument: argument.index() as u32,
             },
         }
+    }
+
+    /// The place of a constant.
+    fn constant(&mut self, value: N) -> u32 {
+        self.constants.push(value);
+        (self.constants.len() - 1) as u32
+    }
+
+    /// A sum; most terms are of the coefficient 1, which is not multiplied with.
+    fn sum<'q>(&mut self, terms: impl Iterator<Item = (u32, &'q Rational)>) -> Step {
+        let start = self.terms.len() as u32;
+        for (place, coefficient) in terms {
+            let is_multiple = !coefficient.is_one();
+            let coefficient = is_multiple.then(|| self.constant(N::rational(coefficient)));
+            self.terms.push((place, coefficient));
+        }
+        Step::Sum(start..self.terms.len() as u32)
     }
 
     /// How many operations there are.
@@ -197,18 +213,13 @@ impl<N: Number> Prepared<N> {
             .collect()
     }
 
-    fn value(&self, step: &Step<N>, symbols: &[N], values: &[N]) -> N {
+    fn value(&self, step: &Step, symbols: &[N], values: &[N]) -> N {
         let value = |place: u32| &values[place as usize];
         match step {
-            Step::Value(value) => value.clone(),
+            Step::Constant(place) => self.constants[*place as usize].clone(),
             Step::Symbol(symbol) => symbols.get(*symbol).cloned().unwrap_or_else(nothing),
-            Step::Sum(terms) => part(&self.terms, terms)
-                .iter()
-                .map(|(place, coefficient)| match coefficient {
-                    None => value(*place).clone(),
-                    Some(coefficient) => coefficient.multiply(value(*place)),
-                })
-                .reduce(|sum, term| sum.add(&term))
+            Step::Sum(terms) => self
+                .sum_of(part(&self.terms, terms), values)
                 .unwrap_or_else(|| N::rational(&Rational::ZERO)),
             Step::Product(factors) => self.product(factors, values).unwrap_or_else(nothing),
             Step::Fraction(above, below) => {
@@ -237,23 +248,26 @@ impl<N: Number> Prepared<N> {
         }
     }
 
+    /// None of no terms.
+    fn sum_of(&self, terms: &[(u32, Option<u32>)], values: &[N]) -> Option<N> {
+        let mut sum: Option<N> = None;
+        for (place, coefficient) in terms {
+            let value = &values[*place as usize];
+            let multiple = coefficient.map(|place| self.constants[place as usize].multiply(value));
+            let term = multiple.as_ref().unwrap_or(value);
+            sum = Some(match sum {
+                None => term.clone(),
+                Some(sum) => sum.add(term),
+            });
+        }
+        sum
+    }
+
     /// None of no factors.
     fn product(&self, factors: &Range<u32>, values: &[N]) -> Option<N> {
-        let mut product: Option<N> = None;
-        for (place, power) in part(&self.factors, factors) {
-            for factor in raised(values[*place as usize].clone(), *power) {
-                product = Some(match product {
-                    None => factor,
-                    Some(product) => product.multiply(&factor),
-                });
-            }
-        }
-        product
+        let factors = part(&self.factors, factors).iter();
+        factors.fold(None, |product, (place, power)| {
+            times_power(product, &values[*place as usize], *power)
+        })
     }
-}
-
-/// A term of a sum; most are of the coefficient 1, which is not multiplied with.
-fn term<N: Number>(place: u32, coefficient: &Rational) -> (u32, Option<N>) {
-    let coefficient = (!coefficient.is_one()).then(|| N::rational(coefficient));
-    (place, coefficient)
 }

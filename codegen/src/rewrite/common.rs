@@ -19,33 +19,29 @@ fn factored(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
     let Node::Sum(terms) = graph.node(id).clone() else {
         return None;
     };
-    let powers: Vec<BTreeMap<ExprId, i32>> = terms
-        .iter()
-        .map(|(term, _)| parts(graph, *term).1.into_iter().collect())
-        .collect();
-    let proper = powers
-        .iter()
-        .filter(|factors| factors.values().map(|n| n.unsigned_abs()).sum::<u32>() > 1)
-        .count();
-    let (first, rest) = powers
-        .split_first()
-        .filter(|(_, rest)| !rest.is_empty() && proper > 1)?;
-    let mut common = Factors::new();
-    for (factor, exponent) in first {
-        let shared = rest.iter().fold(*exponent, |shared, factors| {
-            let other = factors.get(factor).copied().unwrap_or(0);
-            match (shared.signum(), other.signum()) {
-                (1, 1) => shared.min(other),
-                (-1, -1) => shared.max(other),
-                _ => 0,
-            }
-        });
-        if shared != 0 {
-            common.push((*factor, shared));
-        }
-    }
-    if common.is_empty() {
+    let powers = terms.iter().map(|(term, _)| parts(graph, *term).1);
+    let powers: Vec<Factors> = powers.collect();
+    let is_product =
+        |factors: &&Factors| factors.iter().map(|(_, n)| n.unsigned_abs()).sum::<u32>() > 1;
+    let (first, rest) = powers.split_first().filter(|(_, rest)| !rest.is_empty())?;
+    if powers.iter().filter(is_product).count() < 2 {
         return None;
+    }
+    let mut common = first.clone();
+    for factors in rest {
+        common.retain(|(factor, shared)| {
+            let place = factors.binary_search_by_key(factor, |(other, _)| *other);
+            let other = place.map_or(0, |place| factors[place].1);
+            *shared = match (shared.signum(), other.signum()) {
+                (1, 1) => other.min(*shared),
+                (-1, -1) => other.max(*shared),
+                _ => 0,
+            };
+            *shared != 0
+        });
+        if common.is_empty() {
+            return None;
+        }
     }
     let mut divided = Vec::new();
     for (term, coefficient) in terms {

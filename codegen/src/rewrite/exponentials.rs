@@ -5,9 +5,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::rules::{operand_of, parts};
+use super::rules::{factors_with, operand_of, parts};
 use super::{applied, product, simplify};
-use crate::graph::{ExprId, Factors, Function, Graph, Node, Rational, ratio};
+use crate::graph::{ExprId, Factors, Function, Graph, Rational, ratio};
 
 /// A power beyond this is left a call: its error grows with the exponent.
 const LARGEST_POWER: i32 = 8;
@@ -94,9 +94,7 @@ fn power_of_base(graph: &mut Graph, id: ExprId, exponent: &i32) -> Option<ExprId
 
 /// A product with one exponential for all that it has.
 pub(super) fn product_of_exponentials(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
-    let Node::Product(factors) = graph.node(id).clone() else {
-        return None;
-    };
+    let factors = factors_with(graph, id, &[Function::Exp])?;
     let (mut arguments, mut others) = (Vec::new(), Vec::new());
     for (factor, exponent) in factors {
         match operand_of(graph, factor, Function::Exp) {

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::rules::{operand_of, parts, scaled};
+use super::rules::{factors_with, operand_of, parts, scaled};
 use super::{applied, product, simplify};
 use crate::fingerprint::{Residue, near};
 use crate::graph::{ExprId, Factors, Function, Graph, Node, Rational, ratio};
@@ -27,9 +27,7 @@ pub(super) fn root_of_quotient(graph: &mut Graph, id: ExprId) -> Option<ExprId> 
 }
 
 pub(super) fn inverse_root(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
-    let Node::Product(factors) = graph.node(id).clone() else {
-        return None;
-    };
+    let factors = factors_with(graph, id, &[Function::Sqrt])?;
     let (position, radicand) =
         factors
             .iter()
@@ -81,10 +79,30 @@ fn common_denominator(graph: &mut Graph, sum: ExprId) -> Option<(Factors, ExprId
     Some((denominator, simplify(graph, numerator)))
 }
 
+/// Whether an expression, or what it is a multiple of, is a product with a divisor.
+fn is_fraction(graph: &Graph, id: ExprId) -> bool {
+    match graph.node(id) {
+        Node::Sum(terms) if terms.len() == 1 => is_fraction(graph, terms[0].0),
+        Node::Product(factors) => factors.iter().any(|(_, exponent)| *exponent < 0),
+        _ => false,
+    }
+}
+
 pub(super) fn nested_fraction(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
-    let Node::Product(factors) = graph.node(id).clone() else {
+    let Node::Product(factors) = graph.node(id) else {
         return None;
     };
+    let is_nested = |(factor, exponent): &(ExprId, i32)| {
+        *exponent < 0
+            && match graph.node(*factor) {
+                Node::Sum(terms) => terms.iter().any(|(term, _)| is_fraction(graph, *term)),
+                _ => false,
+            }
+    };
+    if !factors.iter().any(is_nested) {
+        return None;
+    }
+    let factors = factors.clone();
     for (position, (factor, exponent)) in factors.iter().enumerate() {
         if *exponent < 0
             && let Some((denominator, numerator)) = common_denominator(graph, *factor)
@@ -103,9 +121,7 @@ pub(super) fn nested_fraction(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
 }
 
 pub(super) fn nested_absolute_fraction(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
-    let Node::Product(factors) = graph.node(id).clone() else {
-        return None;
-    };
+    let factors = factors_with(graph, id, &[Function::Abs])?;
     for (position, (factor, exponent)) in factors.iter().enumerate() {
         let inner = operand_of(graph, *factor, Function::Abs).filter(|_| *exponent < 0);
         if let Some(inner) = inner
@@ -312,20 +328,21 @@ fn rational_multiple(
     candidates: &[ExprId],
 ) -> Option<(ExprId, Rational)> {
     let roots: Vec<ExprId> = [&[of], candidates].concat();
-    let values = [0, 1].map(|point| near(graph, &roots, DEPTH, point));
-    let ratios = values.map(|at| {
-        let divisors = at[1..].iter();
-        divisors
-            .map(|divisor| at[0].times(divisor.inverse()))
-            .collect::<Vec<_>>()
-    });
+    let ratios = |point: u64| -> Vec<Residue> {
+        let at = near(graph, &roots, DEPTH, point);
+        let inverses = Residue::inverses(&at[1..]).into_iter();
+        inverses.map(|inverse| at[0].times(inverse)).collect()
+    };
+    let first = ratios(0);
+    // Most expressions are no multiple at one point already.
+    let mut second = None;
     candidates
         .iter()
+        .zip(&first)
         .enumerate()
-        .find_map(|(place, candidate)| {
-            let [first, second] = [ratios[0][place], ratios[1][place]];
-            let same = first == second && first != Residue::ZERO;
-            let (n, d) = first.as_fraction().filter(|_| same)?;
-            Some((*candidate, ratio(n, d)))
+        .find_map(|(place, (candidate, found))| {
+            let (n, d) = found.as_fraction().filter(|_| *found != Residue::ZERO)?;
+            let again = second.get_or_insert_with(|| ratios(1))[place];
+            (again == *found).then(|| (*candidate, ratio(n, d)))
         })
 }

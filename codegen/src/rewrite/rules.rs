@@ -93,6 +93,19 @@ pub(super) fn operand_of(graph: &Graph, id: ExprId, function: Function) -> Optio
     }
 }
 
+/// The factors of a product, where one at least is one of these functions of something: most products have none, and are long
+/// where they are derivatives along a chain.
+pub(super) fn factors_with(graph: &Graph, id: ExprId, functions: &[Function]) -> Option<Factors> {
+    let Node::Product(factors) = graph.node(id) else {
+        return None;
+    };
+    let is_wanted = |(factor, _): &(ExprId, i32)| match graph.node(*factor) {
+        Node::Apply(function, _) => functions.contains(function),
+        _ => false,
+    };
+    factors.iter().any(is_wanted).then(|| factors.clone())
+}
+
 pub(super) fn scaled(
     graph: &mut Graph,
     coefficient: Rational,
@@ -147,9 +160,7 @@ fn root_of_multiple(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
 }
 
 fn power_of_root(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
-    let Node::Product(factors) = graph.node(id).clone() else {
-        return None;
-    };
+    let factors = factors_with(graph, id, &[Function::Sqrt])?;
     let mut changed = Vec::new();
     for (factor, exponent) in &factors {
         match operand_of(graph, *factor, Function::Sqrt).filter(|_| exponent.abs() > 1) {
@@ -162,9 +173,7 @@ fn power_of_root(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
 
 /// x·x^(−1/2) and x^(−1)·x^(1/2): the root alone.
 fn root_and_power(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
-    let Node::Product(factors) = graph.node(id).clone() else {
-        return None;
-    };
+    let factors = factors_with(graph, id, &[Function::Sqrt])?;
     let powers: BTreeMap<ExprId, i32> = factors.iter().copied().collect();
     for (root, exponent) in &factors {
         let Some(radicand) = operand_of(graph, *root, Function::Sqrt) else {
@@ -185,9 +194,7 @@ fn root_and_power(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
 
 /// xy/√(xy), where the factors of a radicand stand beside its root and not as one: the root alone.
 fn product_and_root(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
-    let Node::Product(factors) = graph.node(id).clone() else {
-        return None;
-    };
+    let factors = factors_with(graph, id, &[Function::Sqrt])?;
     let powers: BTreeMap<ExprId, i32> = factors.iter().copied().collect();
     for (root, exponent) in &factors {
         let Some(radicand) = operand_of(graph, *root, Function::Sqrt) else {

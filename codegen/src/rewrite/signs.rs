@@ -6,9 +6,9 @@
 
 use num_traits::Signed;
 
-use super::rules::{operand_of, parts, scaled};
+use super::rules::{factors_with, operand_of, parts, scaled};
 use super::{applied, product};
-use crate::graph::{ExprId, Factors, Function, Graph, Node};
+use crate::graph::{ExprId, Factors, Function, Graph};
 
 /// What an expression is the sign of, of either kind.
 fn signed(graph: &Graph, id: ExprId) -> Option<ExprId> {
@@ -20,9 +20,7 @@ fn signed(graph: &Graph, id: ExprId) -> Option<ExprId> {
 
 /// The square of a sign is 1.
 pub(super) fn power_of_sign(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
-    let Node::Product(factors) = graph.node(id).clone() else {
-        return None;
-    };
+    let factors = factors_with(graph, id, &[Function::Sign, Function::Side])?;
     let mut changed = factors.clone();
     for (factor, exponent) in &mut changed {
         if signed(graph, *factor).is_some() {
@@ -34,9 +32,7 @@ pub(super) fn power_of_sign(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
 
 /// A number times its sign is its size, which keeps a derivative finite where the number is zero.
 pub(super) fn number_by_sign(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
-    let Node::Product(factors) = graph.node(id).clone() else {
-        return None;
-    };
+    let factors = factors_with(graph, id, &[Function::Sign, Function::Side])?;
     for (sign, exponent) in &factors {
         let Some(number) = signed(graph, *sign).filter(|_| *exponent == 1) else {
             continue;
@@ -53,9 +49,7 @@ pub(super) fn number_by_sign(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
 }
 
 pub(super) fn even_power_of_absolute(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
-    let Node::Product(factors) = graph.node(id).clone() else {
-        return None;
-    };
+    let factors = factors_with(graph, id, &[Function::Abs])?;
     let mut changed = factors.clone();
     for (factor, exponent) in &mut changed {
         // A divisor stays the size that it is elsewhere, so that one inverse serves both.
@@ -107,9 +101,7 @@ pub(super) fn absolute_of_product(graph: &mut Graph, id: ExprId) -> Option<ExprI
 /// A size and its number or its sign in one product: |x| sign x is x, |x|/x is sign x. A divisor |x| stays beside the
 /// sign of x, so that its inverse is that of other quotients by |x|.
 pub(super) fn sign_by_size(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
-    let Node::Product(factors) = graph.node(id).clone() else {
-        return None;
-    };
+    let factors = factors_with(graph, id, &[Function::Abs])?;
     let power = |wanted: ExprId| {
         let found = factors.iter().find(|(factor, _)| *factor == wanted);
         found.map_or(0, |(_, exponent)| *exponent)
@@ -198,9 +190,7 @@ pub(super) fn sign_of_known_sign(graph: &mut Graph, id: ExprId) -> Option<ExprId
 /// What stands under a root is not negative wherever the product with that root is defined: beside √x, |x| is x, and the
 /// sign of x is 1.
 pub(super) fn root_bounds_operand(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
-    let Node::Product(factors) = graph.node(id).clone() else {
-        return None;
-    };
+    let factors = factors_with(graph, id, &[Function::Sqrt])?;
     let roots = factors
         .iter()
         .filter_map(|(factor, _)| operand_of(graph, *factor, Function::Sqrt));
