@@ -4,7 +4,10 @@
     unreachable_pub,
     clippy::manual_clamp,
     clippy::float_cmp,
-    reason = "formulas are `pub` as in a library, and compared bit by bit"
+    clippy::unnecessary_cast,
+    clippy::neg_cmp_op_on_partial_ord,
+    clippy::eq_op,
+    reason = "formulas are `pub` as in a library, and say what people say; numbers are compared bit by bit"
 )]
 
 use lanes::{ALL, Level, store};
