@@ -11,13 +11,14 @@
 
 pub mod corners;
 mod reverse;
+mod slopes;
 
 use std::collections::BTreeMap;
 
 use corners::Signs;
 
 use crate::budget::Budget;
-use crate::graph::{ExprId, Factors, Function, Graph, Node, Rational, SymbolId, ratio, whole};
+use crate::graph::{ExprId, Factors, Function, Graph, Node, Rational, SymbolId, whole};
 use crate::rewrite::common::over_common_divisor;
 
 /// The first partials of a function by the given symbols, in their order: by the reverse mode, or where that is beyond its
@@ -128,7 +129,7 @@ pub fn gradient_forward(graph: &mut Graph, function: ExprId, by: &[SymbolId]) ->
                 let of_symbol = |by: &SymbolId| if *by == symbol { one } else { zero };
                 by.iter().map(of_symbol).collect()
             }
-            Node::Apply(function, operands) if corners::is_choice(function) => {
+            Node::Apply(function, operands) if function.is_choice() => {
                 let [first, second] = corners::alternatives(&operands).map(of);
                 let taken = corners::taken(
                     graph,
@@ -287,7 +288,7 @@ fn slopes(graph: &mut Graph, id: ExprId, matters: impl Fn(ExprId) -> bool) -> Ve
             };
             wanted.into_iter().map(slope).collect()
         }
-        Node::Apply(function, operands) => slopes_of_function(graph, id, function, &operands),
+        Node::Apply(function, operands) => slopes::of_function(graph, id, function, &operands),
         Node::Tabulated {
             table,
             order,
@@ -302,48 +303,4 @@ fn slopes(graph: &mut Graph, id: ExprId, matters: impl Fn(ExprId) -> bool) -> Ve
 /// A slope that is one expression.
 fn alone(slope: ExprId) -> Factors {
     Factors::from_slice(&[(slope, 1)])
-}
-
-fn slopes_of_function(
-    graph: &mut Graph,
-    id: ExprId,
-    function: Function,
-    operands: &[ExprId],
-) -> Vec<Slope> {
-    let one = graph.one();
-    let u = operands.first().copied().unwrap_or(one);
-    let single = |slope: ExprId, coefficient: Rational| vec![(u, alone(slope), coefficient)];
-    let over = |divisor: ExprId, coefficient: Rational| {
-        vec![(u, Factors::from_slice(&[(divisor, -1)]), coefficient)]
-    };
-    match function {
-        Function::Sqrt => over(id, ratio(1, 2)),
-        Function::Sin => {
-            let cos = graph.apply(Function::Cos, vec![u]);
-            single(cos, whole(1))
-        }
-        Function::Cos => {
-            let sin = graph.apply(Function::Sin, vec![u]);
-            single(sin, whole(-1))
-        }
-        Function::Tan => {
-            let square = graph.power(id, 2);
-            let slope = graph.add(one, square);
-            single(slope, whole(1))
-        }
-        Function::Exp => single(id, whole(1)),
-        Function::Ln => over(u, whole(1)),
-        Function::MulAdd => match operands {
-            [a, b, c] => vec![
-                (*a, alone(*b), whole(1)),
-                (*b, alone(*a), whole(1)),
-                (*c, Factors::new(), whole(1)),
-            ],
-            _ => Vec::new(),
-        },
-        // Steps have the slope 0.
-        Function::Sign | Function::Side => Vec::new(),
-        // Corners are passed on as a whole.
-        Function::Abs | Function::Min | Function::Max | Function::Select => Vec::new(),
-    }
 }

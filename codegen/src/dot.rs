@@ -112,18 +112,13 @@ fn node(graph: &Graph, circuit: &Circuit, net: Net) -> (String, &'static str) {
 fn sign(function: Function) -> &'static str {
     match function {
         Function::Sqrt => "√",
-        Function::Sin => "sin",
-        Function::Cos => "cos",
-        Function::Tan => "tan",
-        Function::Exp => "exp",
-        Function::Ln => "ln",
         Function::Abs => "|·|",
         Function::Sign => "sign",
-        Function::Min => "min",
-        Function::Max => "max",
-        Function::Side => "side",
         Function::Select => "a = b ? x : y",
+        Function::Less => "a < b ? x : y",
+        Function::AtMost => "a ≤ b ? x : y",
         Function::MulAdd => "a·b + c",
+        other => other.row().method,
     }
 }
 
@@ -168,7 +163,7 @@ fn edges(circuit: &Circuit, net: Net) -> Vec<Edge> {
         Operation::Quotient(numerator, denominator) => {
             vec![edge(*numerator, "over"), edge(*denominator, "under")]
         }
-        Operation::Apply(Function::Select, operands) => operands
+        Operation::Apply(function, operands) if function.is_selection() => operands
             .iter()
             .zip(["a", "b", "x", "y"])
             .map(|(operand, label)| edge(*operand, label))

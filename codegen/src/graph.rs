@@ -16,6 +16,7 @@
 
 mod canonical;
 mod decimal;
+mod function;
 pub(crate) mod rational;
 mod sign;
 
@@ -27,6 +28,7 @@ use smallvec::SmallVec;
 
 use crate::approximate::piecewise::PiecewisePolynomial;
 pub use decimal::decimal;
+pub use function::{Evaluation, Function};
 pub use rational::{Rational, ratio, whole};
 pub use sign::{Domain, Sign};
 
@@ -52,37 +54,6 @@ impl SymbolId {
     }
 }
 
-/// The elementary functions of the language beyond sums and products.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Function {
-    /// Square root.
-    Sqrt,
-    /// Sine of an angle in radians.
-    Sin,
-    /// Cosine of an angle in radians.
-    Cos,
-    /// Tangent of an angle in radians.
-    Tan,
-    /// Exponential.
-    Exp,
-    /// Natural logarithm.
-    Ln,
-    /// Absolute value.
-    Abs,
-    /// The sign bit as 1 or −1, as `f64::signum` has it.
-    Sign,
-    /// The side of zero: −1 below it, else 1, the derivative of the absolute value seen from the right.
-    Side,
-    /// The smaller of two.
-    Min,
-    /// The larger of two.
-    Max,
-    /// `Select(a, b, x, y)` is x where a = b, else y: the derivative of the smaller and larger of two.
-    Select,
-    /// `MulAdd(a, b, c)` is a·b + c, rounded once.
-    MulAdd,
-}
-
 /// Names of the mathematical constants that are not rational.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum NamedConstant {
@@ -94,6 +65,8 @@ pub enum NamedConstant {
     Ln2,
     /// Natural logarithm of 10.
     Ln10,
+    /// The Euler–Mascheroni constant γ.
+    EulerGamma,
 }
 
 /// The terms of a sum. Two, and the other operands of most nodes, have no memory of their own.

@@ -10,7 +10,9 @@ pub use prepared::Prepared;
 use crate::approximate::piecewise::PiecewisePolynomial;
 use crate::approximate::quadrature::integrate;
 use crate::circuit::Circuit;
-use crate::graph::{ExprId, Function, Graph, NamedConstant, Node, Rational, SymbolId, Table};
+use crate::graph::{
+    Evaluation, ExprId, Function, Graph, NamedConstant, Node, Rational, SymbolId, Table,
+};
 
 /// A kind of number that a graph can be evaluated in: `f64`, or more digits in tests.
 pub trait Number: Clone {
@@ -37,6 +39,7 @@ pub fn constant_value(constant: NamedConstant) -> f64 {
         NamedConstant::E => std::f64::consts::E,
         NamedConstant::Ln2 => std::f64::consts::LN_2,
         NamedConstant::Ln10 => std::f64::consts::LN_10,
+        NamedConstant::EulerGamma => std::f64::consts::EULER_GAMMA,
     }
 }
 
@@ -62,32 +65,37 @@ impl Number for f64 {
     }
 
     fn apply(function: Function, operands: &[Self]) -> Self {
-        match (function, operands) {
-            (Function::Sqrt, [x]) => x.sqrt(),
-            (Function::Sin, [x]) => x.sin(),
-            (Function::Cos, [x]) => x.cos(),
-            (Function::Tan, [x]) => x.tan(),
-            (Function::Exp, [x]) => x.exp(),
-            (Function::Ln, [x]) => x.ln(),
-            (Function::Abs, [x]) => x.abs(),
-            (Function::Sign, [x]) => x.signum(),
-            (Function::Min, [x, y]) => x.min(*y),
-            (Function::Max, [x, y]) => x.max(*y),
-            (Function::Select, [a, b, x, y]) => {
-                if a == b {
-                    *x
-                } else {
-                    *y
-                }
-            }
-            (Function::Side, [x]) => 1.0_f64.copysign(x + 0.0),
-            (Function::MulAdd, [a, b, c]) => a.mul_add(*b, *c),
-            _ => f64::NAN,
+        match (function.row().evaluation, operands) {
+            (Evaluation::One(value, _) | Evaluation::Step(value), [x]) => value(*x),
+            (Evaluation::Two(value, _), [x, y]) => value(*x, *y),
+            _ => own_value(function, operands),
         }
     }
 
     fn tabulated(table: &Table, order: usize, argument: &Self) -> Self {
         table.derivative(order).evaluate(*argument)
+    }
+}
+
+/// The value of a function that has rules of its own.
+fn own_value(function: Function, operands: &[f64]) -> f64 {
+    match (function, operands) {
+        (Function::Sqrt, [x]) => x.sqrt(),
+        (Function::Abs, [x]) => x.abs(),
+        (Function::Sign, [x]) => x.signum(),
+        (Function::Min, [x, y]) => x.min(*y),
+        (Function::Max, [x, y]) => x.max(*y),
+        (Function::Side, [x]) => 1.0_f64.copysign(x + 0.0),
+        (Function::SignBit, [x]) => 1.0_f64.copysign(*x),
+        (Function::MulAdd, [a, b, c]) => a.mul_add(*b, *c),
+        (_, [a, b, x, y]) => {
+            if function.holds(a, b) {
+                *x
+            } else {
+                *y
+            }
+        }
+        _ => f64::NAN,
     }
 }
 

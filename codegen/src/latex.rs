@@ -3,7 +3,9 @@
 //! [`Symbols`] alone decide how a name looks, `piece` where parentheses stand, `expression` how a construct of the
 //! language is typeset, and this file how lines make up a formula.
 
+mod choices;
 mod expression;
+mod methods;
 mod piece;
 
 use syn::visit::Visit;

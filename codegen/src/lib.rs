@@ -48,16 +48,25 @@
 //!
 //! | | |
 //! |---|---|
-//! | numbers | literals, constants of the module and of `std::f64::consts`, all exact: `0.1` is one tenth; a literal below 2.2e-308 is the `f64` that Rust reads |
+//! | numbers | literals, `2 as f64`, constants of the module, of the function's body and of `std::f64::consts`, all exact: `0.1` is one tenth; a literal below 2.2e-308 is the `f64` that Rust reads; `f64::EPSILON`, `MAX`, `MIN`, `MIN_POSITIVE` |
 //! | operators | `+ - * /` |
-//! | methods | `powi(n)`, `sqrt`, `sin`, `cos`, `tan`, `exp`, `ln`, `abs`, `signum`, `recip`, `mul_add` (rounded once), `min`, `max` |
+//! | powers, roots | `powi(n)`, `powf`, `sqrt`, `cbrt`, `hypot`, `recip` |
+//! | exponentials | `exp`, `exp2`, `exp_m1`, `ln`, `ln_1p`, `log2`, `log10`, `log` |
+//! | angles | `sin`, `cos`, `tan`, `sin_cos` (a tuple), `asin`, `acos`, `atan`, `atan2`, `to_radians`, `to_degrees` |
+//! | hyperbolic | `sinh`, `cosh`, `tanh`, `asinh`, `acosh`, `atanh` |
+//! | corners | `abs`, `min`, `max`, `clamp`, `signum`, `copysign`; `floor`, `ceil`, `round`, `trunc`, `fract` |
+//! | both at once | `mul_add` (rounded once) |
+//! | choices | `if a < b { … } else if … { … } else { … }`, with `< <= > >= == !=`, `&&`, <code>&#124;&#124;</code> and `!`; `match` on conditions, tuples of them, and by `x if x < 0.0 => …` |
 //! | access | `c.field`, `a[0]`, `pair.0` |
 //! | structs | `Name { field: x }`, `Name { field: x, ..*c }` |
 //! | calls | of other formulas of the module and of those that it links; `f::d_x(…)`, `f::d_x_y(…)` of their partials |
 //! | integrals | `integral(\|t\| …, a..b)`, in functions that are tabulated |
 //!
-//! There are no branches, loops or assignments: a case is a formula of its own, and its caller chooses. Whatever else is
-//! found is reported at its token with what to write instead, all at once: also functions and constants that need
+//! A function may be called as a method or by its path, `x.atan2(y)` or `f64::atan2(x, y)`. Its value is that of the standard
+//! library, which computes it in scalar forms and, number by number, in columns. Of a choice both values are computed and one
+//! is selected, in columns too; what is not selected has no part in value or derivative, whatever it is.
+//!
+//! There are no loops or assignments. Whatever else is found is reported at its token with what to write instead, all at once: also functions and constants that need
 //! themselves, results of another type than the signature says, fields that a struct of the module does not have, and names
 //! that both the author and the generator give.
 //!
@@ -171,9 +180,19 @@
 //! - **Corners.** At a corner, the tie of `min` and `max` and the 0 of `abs`, the derivative is that of the side on which the
 //!   first of the variables derived by is a little larger ([`differentiate::corners`]). All corners of a formula are seen from
 //!   the same side, so that where they cancel (the softplus, x·|x|, max(x, 0) − max(−x, 0)) the derivative is the true one.
-//!   Where one of two is NaN, `min` and `max` and their derivatives are those of the other, as in Rust. The derivative of
-//!   `signum` is 0.
+//!   Where one of two is NaN, `min` and `max` and their derivatives are those of the other, as in Rust.
+//! - **Choices.** The derivative of an `if` is that of the branch that is taken, also where its condition just holds; an `if`
+//!   between the two numbers that it compares is their `min` or `max` with the corner of that, and so is `clamp`. Where rounding
+//!   decides a condition, a generated form may take the other branch. `clamp` does not panic: where its bounds are none it gives
+//!   the upper one.
+//! - **Steps.** The derivative of `signum`, `floor`, `ceil`, `round` and `trunc` is 0, also where they jump, and that of `fract`
+//!   is 1; `copysign` has none by the number of which it takes the sign.
+//! - **Powers.** The derivative of `x.powf(y)` by `x` is 0 at y = 0 for every `x`, and that by `y` is 0 where the power is 0; for
+//!   negative `x` the one by `y` is NaN. At a base of 0 second derivatives by the exponent are those of these cases.
+//! - **Lengths.** Derivatives of `hypot` and `atan2` stay in the range of numbers where squares do not; at the origin they are
+//!   NaN, where there are none. Second derivatives of `hypot` by one of its numbers lose digits where the other is much smaller.
 //! - **Signs of zero and NaN.** A form may be 0 where the author's is −0, and finite where the author's is NaN: x − x is 0.
+//!   What jumps with the sign of a computed zero, `copysign`, `signum`, and `atan2` on the negative axis, may be on the other side.
 //! - **Size.** Calls may be nested 256 deep, groups of tokens 128 deep; a chain of operators or methods may be of any length.
 //!   Searches stop at a stated number of looks ([`budget`]); of more than 2,000 operations one form in one order of extraction is
 //!   looked at. Constants and exponents that grow too long while they are gathered

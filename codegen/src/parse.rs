@@ -7,8 +7,10 @@
 
 pub mod attributes;
 pub mod body;
+pub mod condition;
 mod cycles;
 pub mod imports;
+pub(crate) mod known_methods;
 pub mod linking;
 pub mod literal;
 pub mod module;

@@ -118,3 +118,74 @@ fn numbers_far_from_one_stay_in_range() {
         }
     }
 }
+
+#[test]
+fn a_corner_of_an_if_is_that_of_the_branch_that_is_taken() {
+    let value = |source: &str, x: f64| at(source, Form::Gradient, &[x])[1];
+    // Both branches of the softplus have the slope 1/2 at 0.
+    let softplus =
+        "fn f(x: f64) -> f64 { if x > 0.0 { x + (-x).exp().ln_1p() } else { x.exp().ln_1p() } }";
+    for x in [0.0, -0.0, 1e-300, -1e-300] {
+        assert_eq!(value(softplus, x), 0.5, "{x}");
+    }
+    let size = "fn f(x: f64) -> f64 { if x <= 0.0 { -x } else { x } }";
+    assert_eq!([-1.0, 0.0, 1.0].map(|x| value(size, x)), [-1.0, -1.0, 1.0]);
+    // The larger of the two that are compared is seen from the side that all corners are seen from.
+    let ramps = "fn f(x: f64) -> f64 { (if x > 0.0 { x } else { 0.0 }) - (-x).max(0.0) }";
+    let others = "fn f(x: f64) -> f64 { x.clamp(0.0, 1.0) + (x - 1.0).max(0.0) + x.min(0.0) }";
+    let one_sided = "fn f(x: f64) -> f64 { if x < 1.0 { x } else { 1.0 } }";
+    for source in [ramps, others] {
+        assert_eq!(
+            [-1.0, 0.0, 0.5, 1.0].map(|x| value(source, x)),
+            [1.0; 4],
+            "{source}"
+        );
+    }
+    assert_eq!(
+        [0.5, 1.0, 2.0].map(|x| value(one_sided, x)),
+        [1.0, 0.0, 0.0]
+    );
+}
+
+#[test]
+fn what_is_not_taken_may_be_no_number() {
+    let guarded = "fn f(x: f64) -> f64 { if x > 0.0 { x.ln() / x.sqrt() } else if x == 0.0 { 3.0 } else { (-x).powf(0.5) } }";
+    assert_eq!(at(guarded, Form::Hessian, &[0.0]), [3.0, 0.0, 0.0]);
+    let [value, slope] = at(guarded, Form::Gradient, &[-4.0])[..] else {
+        panic!("two numbers")
+    };
+    assert_eq!((value, slope), (2.0, -0.25));
+    let joined = "fn f(x: f64, y: f64) -> f64 { if x > 0.0 && y > 0.0 || x == y { x * y } else { (1.0 / y).acosh() } }";
+    assert_eq!(at(joined, Form::Gradient, &[0.0, 0.0]), [0.0, 0.0, 0.0]);
+    assert_eq!(at(joined, Form::Gradient, &[2.0, 3.0]), [6.0, 3.0, 2.0]);
+    let opposite = "fn f(x: f64, y: f64) -> f64 { if !(x > 0.0 && y > 0.0) { y } else { x } }";
+    assert_eq!(at(opposite, Form::Value, &[f64::NAN, 2.0]), [2.0]);
+    assert_eq!(at(opposite, Form::Value, &[1.0, 2.0]), [1.0]);
+}
+
+#[test]
+fn jumps_have_the_slope_zero() {
+    let steps = "fn f(x: f64, y: f64) -> f64 { x.floor() * y + x.round() - x.trunc() + x.ceil() + x.fract() }";
+    assert_eq!(at(steps, Form::Gradient, &[2.25, 3.0])[1..], [1.0, 2.0]);
+}
+
+#[test]
+fn an_angle_has_the_sign_of_a_zero() {
+    let angle = "fn f(y: f64, x: f64) -> f64 { y.atan2(x) }";
+    use std::f64::consts::PI;
+    let points = [[0.0, -1.0], [-0.0, -1.0], [0.0, 1.0], [-1.0, 0.0]];
+    let angles = points.map(|point| at(angle, Form::Value, &point)[0]);
+    assert_eq!(angles, [PI, -PI, 0.0, -0.5 * PI]);
+}
+
+#[test]
+fn second_derivatives_of_angles_need_no_length() {
+    let angle = "fn f(y: f64, x: f64) -> f64 { y.atan2(x) }";
+    let text = code(angle, Form::Hessian);
+    assert!(!text.contains("hypot"), "{text}");
+    let found = at(angle, Form::Hessian, &[1.0, 2.0]);
+    let right = [1.0_f64.atan2(2.0), 0.4, -0.2, -0.16, -0.12, -0.12, 0.16];
+    for (found, right) in found.iter().zip(right) {
+        assert!((found - right).abs() < 1e-15, "{found}, {right}");
+    }
+}

@@ -149,6 +149,16 @@ impl<S: Simd> Pack<S> {
         self.map_rows(|row, number| number.mul_add(factor[row], summand[row]))
     }
 
+    /// Divides by the sum of the squares of this number and another, without the squares, which leave the range of numbers
+    /// where the quotient does not: the slope of an angle.
+    #[inline(always)]
+    pub fn over_squares(self, other: Self) -> Self {
+        let (ratio, inverse) = (self / other, other / self);
+        let steep = ratio / (other + self * ratio);
+        let flat = 1.0 / (self + other * inverse);
+        self.abs().select_lt(other.abs(), steep, flat)
+    }
+
     /// Selects `x` in the rows where this number is equal to that of `other`, and `y` in the rest.
     #[inline(always)]
     pub fn select_eq(self, other: Self, x: Self, y: Self) -> Self {
@@ -163,6 +173,19 @@ impl<S: Simd> Pack<S> {
         self.with(chosen.select(x.numbers, y.numbers))
     }
 
+    /// Selects `x` in the rows where this number is less than that of `bound`, and `y` in the rest.
+    #[inline(always)]
+    pub fn select_lt(self, bound: Self, x: Self, y: Self) -> Self {
+        let chosen = self.numbers.simd_lt(bound.numbers);
+        self.with(chosen.select(x.numbers, y.numbers))
+    }
+
+    /// 1 with the sign bit of the number, also of what is no number, as `1.0.copysign(x)`.
+    #[inline(always)]
+    pub fn sign_bit(self) -> Self {
+        self.with(S::f64s::splat(self.simd, 1.0).copysign(self.numbers))
+    }
+
     /// Rounds to the nearest whole number, and to the even one of two that are equally near.
     #[inline(always)]
     pub(crate) fn round_ties_even(self) -> Self {
@@ -175,6 +198,18 @@ impl<S: Simd> Pack<S> {
         self.with(self.numbers.floor())
     }
 
+    /// Rounds up to a whole number.
+    #[inline(always)]
+    pub fn ceil(self) -> Self {
+        self.with(self.numbers.ceil())
+    }
+
+    /// Rounds to a whole number towards 0.
+    #[inline(always)]
+    pub fn trunc(self) -> Self {
+        self.with(self.numbers.trunc())
+    }
+
     /// Whether every number is at most `bound`; NaN is not.
     #[inline(always)]
     pub(crate) fn all_at_most(self, bound: f64) -> bool {
@@ -182,24 +217,68 @@ impl<S: Simd> Pack<S> {
         let within = self.numbers.simd_le(S::f64s::splat(self.simd, bound));
         within.all_true()
     }
+}
 
+/// Implements functions for which there is no instruction, number by number as `f64` has them.
+macro_rules! functions {
+    ($($(#[doc = $doc:literal])* $name:ident($($other:ident)?);)*) => {
+        impl<S: Simd> Pack<S> {
+            $(
+                $(#[doc = $doc])*
+                #[inline(always)]
+                pub fn $name(self $(, $other: Self)?) -> Self {
+                    self.map_rows(|_row, number| number.$name($($other.numbers[_row])?))
+                }
+            )*
+        }
+    };
+}
+
+functions! {
     /// Takes the tangent of an angle in radians.
-    #[inline(always)]
-    pub fn tan(self) -> Self {
-        self.map(f64::tan)
-    }
-
+    tan();
     /// Takes the exponential.
-    #[inline(always)]
-    pub fn exp(self) -> Self {
-        self.map(f64::exp)
-    }
-
+    exp();
     /// Takes the natural logarithm.
-    #[inline(always)]
-    pub fn ln(self) -> Self {
-        self.map(f64::ln)
-    }
+    ln();
+    /// Takes the arc sine.
+    asin();
+    /// Takes the arc cosine.
+    acos();
+    /// Takes the arc tangent.
+    atan();
+    /// Takes the hyperbolic sine.
+    sinh();
+    /// Takes the hyperbolic cosine.
+    cosh();
+    /// Takes the hyperbolic tangent.
+    tanh();
+    /// Takes the inverse hyperbolic sine.
+    asinh();
+    /// Takes the inverse hyperbolic cosine.
+    acosh();
+    /// Takes the inverse hyperbolic tangent.
+    atanh();
+    /// Takes the exponential less 1.
+    exp_m1();
+    /// Takes the natural logarithm of 1 and the number.
+    ln_1p();
+    /// Takes the cube root.
+    cbrt();
+    /// Takes the logarithm to the base 10.
+    log10();
+    /// Takes the logarithm to the base 2.
+    log2();
+    /// Takes the power of 2.
+    exp2();
+    /// Rounds to the nearest whole number, of two that are as near to the one farther from 0.
+    round();
+    /// Takes the angle of the point that has this ordinate and the other number as its abscissa.
+    atan2(abscissa);
+    /// Takes the length of the vector of this number and another.
+    hypot(other);
+    /// Takes the power with this exponent.
+    powf(exponent);
 }
 
 impl<S: Simd> fmt::Debug for Pack<S> {

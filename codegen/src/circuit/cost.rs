@@ -23,12 +23,10 @@ impl Circuit {
             }
             Operation::Quotient(..) => cost.div = 1,
             Operation::Apply(Function::Sqrt, _) => cost.sqrt = 1,
-            Operation::Apply(Function::Abs | Function::Sign, _) => {}
+            Operation::Apply(Function::Abs | Function::Sign | Function::SignBit, _) => {}
             // A zero is added, so that a negative one counts as zero.
             Operation::Apply(Function::Side, _) => cost.add = 1,
-            Operation::Apply(Function::Min | Function::Max | Function::Select, _) => {
-                cost.choice = 1;
-            }
+            Operation::Apply(function, _) if function.is_choice() => cost.choice = 1,
             Operation::Apply(Function::MulAdd, _) => {
                 cost.add = 1;
                 cost.mul = 1;

@@ -20,8 +20,9 @@ impl Circuit {
         self.rebuild(&symbols);
     }
 
-    /// Puts the last outputs, one for each symbol, in the places of the symbols.
-    pub fn define(&mut self, symbols: &[SymbolId]) {
+    /// Puts the last outputs, one for each symbol, in the places of the symbols. False where a symbol's own definition needs it,
+    /// as one may where equal expressions were made one: the circuit is of no use then.
+    pub fn define(&mut self, symbols: &[SymbolId]) -> bool {
         let results = self.outputs.len().saturating_sub(symbols.len());
         let definitions = self.outputs.split_off(results);
         for (symbol, definition) in symbols.iter().zip(definitions) {
@@ -29,7 +30,32 @@ impl Circuit {
                 self.replace(net, Operation::Sum(smallvec![(definition, Rational::ONE)]));
             }
         }
-        self.tidy();
+        let is_sound = !self.is_cyclic();
+        if is_sound {
+            self.tidy();
+        }
+        is_sound
+    }
+
+    /// Whether an operation that the results need is among its own operands, through however many others.
+    fn is_cyclic(&self) -> bool {
+        let (mut open, mut done) = (
+            vec![false; self.operations.len()],
+            vec![false; self.operations.len()],
+        );
+        let mut stack: Vec<(Net, bool)> = self.outputs.iter().map(|net| (*net, false)).collect();
+        while let Some((net, expanded)) = stack.pop() {
+            if expanded {
+                (open[net.index()], done[net.index()]) = (false, true);
+            } else if open[net.index()] {
+                return true;
+            } else if !done[net.index()] {
+                open[net.index()] = true;
+                stack.push((net, true));
+                self.each_operand(net, |operand| stack.push((operand, false)));
+            }
+        }
+        false
     }
 
     fn rebuild(&mut self, first: &[(Net, SymbolId)]) {

@@ -8,19 +8,17 @@
 //! Which side that is shows by the sign of a derivative, as far as that is known while code is generated. Where it is not, the
 //! side is taken on which the difference of the two, as it stands, is above zero; that of its negative is the same side.
 //! Where one of two is not a number, the larger and the smaller of them are the other, and so is the derivative.
+//!
+//! The derivative of an `if` is that of the branch that is taken, also where its condition just holds; only of one between the two
+//! numbers that it compares, which is the smaller or the larger of them, it is the one of that.
 
 use crate::graph::{ExprId, Function, Graph, Images, Node, Rational, Sign};
-
-/// Whether the function is one of several alternatives.
-pub(super) fn is_choice(function: Function) -> bool {
-    matches!(function, Function::Min | Function::Max | Function::Select)
-}
 
 /// Whether a function has a corner.
 pub(super) fn has_any(graph: &Graph, function: ExprId) -> bool {
     let mut all = graph.reachable(&[function]).into_iter();
     all.any(
-        |id| matches!(graph.node(id), Node::Apply(of, _) if is_choice(*of) || *of == Function::Abs),
+        |id| matches!(graph.node(id), Node::Apply(of, _) if of.is_choice() || *of == Function::Abs),
     )
 }
 
@@ -52,12 +50,23 @@ pub(super) fn alternatives(operands: &[ExprId]) -> [ExprId; 2] {
     }
 }
 
+/// What a choice compares, by its operands.
+fn compared(operands: &[ExprId]) -> [ExprId; 2] {
+    match *operands {
+        [first, second, ..] => [first, second],
+        // Every choice has at least two operands.
+        [..] => [ExprId::default(); 2],
+    }
+}
+
 /// When the first alternative of a choice is taken.
-pub(super) enum Taken {
-    /// Where these two are equal the first, else the second.
-    First([ExprId; 2]),
-    /// Where these two are equal the second, else the first.
-    Second([ExprId; 2]),
+pub(super) struct Taken {
+    /// A choice by a comparison.
+    comparison: Function,
+    /// What is compared.
+    compared: [ExprId; 2],
+    /// Whether the first alternative is taken where the comparison fails.
+    is_reversed: bool,
 }
 
 impl Taken {
@@ -66,11 +75,13 @@ impl Taken {
         if first == second {
             return first;
         }
-        let operands = match self {
-            Self::First([a, b]) => [*a, *b, first, second],
-            Self::Second([a, b]) => [*a, *b, second, first],
+        let [a, b] = self.compared;
+        let operands = if self.is_reversed {
+            [a, b, second, first]
+        } else {
+            [a, b, first, second]
         };
-        graph.apply(Function::Select, operands.as_slice())
+        graph.apply(self.comparison, operands.as_slice())
     }
 }
 
@@ -84,17 +95,36 @@ pub(super) fn taken(
     second: &[ExprId],
 ) -> Taken {
     let [a, b] = alternatives(operands);
-    if function == Function::Select {
-        return Taken::First([operands[0], operands[1]]);
+    let [c, d] = compared(operands);
+    let by_comparison = |comparison: Function| Taken {
+        comparison,
+        compared: [c, d],
+        is_reversed: false,
+    };
+    let is_ordering = matches!(function, Function::Less | Function::AtMost);
+    if function.is_selection() && !(is_ordering && ([a, b] == [c, d] || [a, b] == [d, c])) {
+        return by_comparison(function);
     }
     let mut both = first.iter().zip(second);
     let apart = both.find(|(first, second)| first != second);
     let growth = apart.map(|(first, second)| graph.subtract(*first, *second));
     let difference = graph.subtract(a, b);
-    if goes_above(graph, signs, difference, growth) == (function == Function::Max) {
-        Taken::First([choice, a])
-    } else {
-        Taken::Second([choice, b])
+    let goes_above = goes_above(graph, signs, difference, growth);
+    if is_ordering {
+        // Of two numbers that are compared the smaller or the larger: at the tie the first is taken where the comparison has
+        // the equals, too.
+        let is_larger = [a, b] == [d, c];
+        return by_comparison(if goes_above == is_larger {
+            Function::AtMost
+        } else {
+            Function::Less
+        });
+    }
+    let takes_first = goes_above == (function == Function::Max);
+    Taken {
+        comparison: Function::Select,
+        compared: [choice, if takes_first { a } else { b }],
+        is_reversed: !takes_first,
     }
 }
 

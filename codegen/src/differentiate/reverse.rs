@@ -165,7 +165,7 @@ impl Sweeps<'_> {
             return Some(());
         }
         if let Node::Apply(function, operands) = graph.node(id)
-            && (corners::is_choice(*function) || *function == Function::Abs)
+            && (function.is_choice() || *function == Function::Abs)
         {
             sweep.waiting = Some(Corner {
                 id,

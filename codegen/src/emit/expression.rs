@@ -7,7 +7,7 @@ use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
 use quote::{ToTokens, format_ident, quote};
 
 use super::literal;
-use super::namer::{LONGEST, Namer, method, pack_table_function, table_function};
+use super::namer::{LONGEST, Namer, pack_table_function, table_function};
 use super::roots;
 use crate::circuit::{Circuit, Net, Operation};
 use crate::graph::{Function, Graph, Rational, SymbolId};
@@ -219,7 +219,16 @@ impl<'a> Writer<'a> {
                     }
                 }
                 // A choice is a statement of its own.
-                Operation::Apply(Function::Select, _) => uses[net.index()] += 1,
+                Operation::Apply(function, _) if function.is_selection() => {
+                    uses[net.index()] += 1;
+                }
+                // So is this one, which names its operands more than once.
+                Operation::Apply(Function::OverSquares, operands) => {
+                    uses[net.index()] += 1;
+                    operands
+                        .iter()
+                        .for_each(|operand| uses[operand.index()] += 1);
+                }
                 _ => {}
             }
         }
@@ -464,29 +473,29 @@ impl<'a> Writer<'a> {
     }
 
     fn apply(&self, net: Net, function: Function, operands: &[Net]) -> Piece {
-        if let (Function::Select, [a, b, x, y]) = (function, operands) {
-            if self.numbers == Numbers::Packs {
-                let a = self.value(*a).at_least(Precedence::Atom);
-                let [b, x, y] = [b, x, y].map(|operand| self.value(*operand).tokens);
-                return Piece::atom(quote!(#a.select_eq(#b, #x, #y)));
-            }
-            let [a, b, x, y] = [a, b, x, y].map(|operand| self.operand(*operand).tokens);
-            return Piece {
-                tokens: quote!(if #a == #b { #x } else { #y }),
-                precedence: Precedence::Choice,
-            };
+        if let (true, [a, b, x, y]) = (function.is_selection(), operands) {
+            return self.selection(function, [*a, *b, *x, *y]);
         }
         if let (Function::Side, Numbers::Single, [operand]) = (function, self.numbers, operands) {
             // With a zero added, a negative zero is a positive one.
             let operand = self.operand(*operand).at_least(Precedence::Sum);
             return Piece::atom(quote!(1.0_f64.copysign(#operand + 0.0)));
         }
+        if let (Function::SignBit, Numbers::Single, [operand]) = (function, self.numbers, operands)
+        {
+            let operand = self.operand(*operand).tokens;
+            return Piece::atom(quote!(1.0_f64.copysign(#operand)));
+        }
+        if let (Function::OverSquares, Numbers::Single, [x, y]) = (function, self.numbers, operands)
+        {
+            return self.over_squares([*x, *y]);
+        }
         let name = if self.by_multiplication.contains(&net) {
-            Some("sqrt_by_multiplication")
+            "sqrt_by_multiplication"
         } else {
-            method(function)
+            function.row().method
         };
-        let name: Option<Ident> = name.map(|name| format_ident!("{name}"));
+        let name = format_ident!("{name}");
         if self.with_sines_of_packs && matches!(function, Function::Sin | Function::Cos) {
             let operands = operands.iter().map(|operand| self.value(*operand).tokens);
             return Piece::atom(quote!(::lanes::#name(#(#operands),*)));
@@ -495,6 +504,43 @@ impl<'a> Writer<'a> {
         let receiver = operands.next().map(|operand| self.receiver(*operand));
         let rest = operands.map(|operand| self.value(*operand).tokens);
         Piece::atom(quote!(#receiver.#name(#(#rest),*)))
+    }
+
+    /// x/(x² + y²) without the squares, as packs have it.
+    fn over_squares(&self, operands: [Net; 2]) -> Piece {
+        let [x, y] = operands.map(|operand| self.operand(operand).at_least(Precedence::Atom));
+        let sizes = operands.map(|operand| self.receiver(operand));
+        let [size, other] = sizes.map(|number| quote!(#number.abs()));
+        Piece {
+            tokens: quote! {
+                if #size < #other {
+                    #x / #y / (#y + #x * (#x / #y))
+                } else {
+                    1.0 / (#x + #y * (#y / #x))
+                }
+            },
+            precedence: Precedence::Choice,
+        }
+    }
+
+    /// One of two as a comparison says.
+    fn selection(&self, function: Function, operands: [Net; 4]) -> Piece {
+        if self.numbers == Numbers::Packs {
+            let a = self.value(operands[0]).at_least(Precedence::Atom);
+            let [_, b, x, y] = operands.map(|operand| self.value(operand).tokens);
+            let method = format_ident!("{}", function.row().method);
+            return Piece::atom(quote!(#a.#method(#b, #x, #y)));
+        }
+        let [a, b, x, y] = operands.map(|operand| self.operand(operand).tokens);
+        let comparison = match function {
+            Function::Less => quote!(<),
+            Function::AtMost => quote!(<=),
+            _ => quote!(==),
+        };
+        Piece {
+            tokens: quote!(if #a #comparison #b { #x } else { #y }),
+            precedence: Precedence::Choice,
+        }
     }
 
     /// The operand of a method; the type of a bare literal must be said.

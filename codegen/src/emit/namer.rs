@@ -161,7 +161,7 @@ impl Namer {
             Operation::Apply(function, operands) => match (function, operands.as_slice()) {
                 (Function::Sqrt, [x]) => format!("root_{}", part(*x)?),
                 (Function::Abs, [x]) => format!("size_{}", part(*x)?),
-                (function, [x]) => format!("{}_{}", method(*function)?, part(*x)?),
+                (function, [x]) => format!("{}_{}", function.row().method, part(*x)?),
                 _ => return None,
             },
             Operation::Tabulated { table, order, .. } => {
@@ -225,28 +225,9 @@ fn kind(operation: &Operation) -> &'static str {
         Operation::Product(_) => "product",
         Operation::Quotient(..) => "quotient",
         Operation::Apply(Function::Sqrt, _) => "root",
-        Operation::Apply(Function::Select, _) => "choice",
+        Operation::Apply(function, _) if function.is_selection() => "choice",
         _ => "value",
     }
-}
-
-/// The method that computes a function: of packs, and but for the side of zero of `f64` too.
-pub fn method(function: Function) -> Option<&'static str> {
-    Some(match function {
-        Function::Sqrt => "sqrt",
-        Function::Sin => "sin",
-        Function::Cos => "cos",
-        Function::Tan => "tan",
-        Function::Exp => "exp",
-        Function::Ln => "ln",
-        Function::Abs => "abs",
-        Function::Sign => "signum",
-        Function::Min => "min",
-        Function::Max => "max",
-        Function::Side => "side",
-        Function::MulAdd => "mul_add",
-        Function::Select => return None,
-    })
 }
 
 /// Name of the function that evaluates a table's derivative.

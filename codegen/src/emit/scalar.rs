@@ -52,7 +52,9 @@ pub fn parameters(function: &Function) -> TokenStream {
 /// The values in the shape that the formula gives them.
 pub fn shaped(value: &Value, numbers: &mut impl Iterator<Item = TokenStream>) -> TokenStream {
     match value {
-        Value::Number(_) | Value::Parameter { .. } => numbers.next().unwrap_or_default(),
+        Value::Number(_) | Value::Parameter { .. } | Value::Truth(_) => {
+            numbers.next().unwrap_or_default()
+        }
         Value::Tuple(values) => {
             let values: Vec<_> = values.iter().map(|value| shaped(value, numbers)).collect();
             quote!((#(#values,)*))

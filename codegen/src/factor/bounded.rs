@@ -5,7 +5,7 @@
 
 mod pack;
 
-use crate::graph::{Function, NamedConstant, Rational, Table};
+use crate::graph::{Evaluation, Function, NamedConstant, Rational, Table};
 use crate::interpret::double_double::stand_in;
 use crate::interpret::{Number, constant_value};
 pub use pack::Pack;
@@ -115,15 +115,60 @@ fn of_product(x: Bounded, y: Bounded) -> f64 {
     share(x.value.abs(), y.error) + share(y.value.abs(), x.error) + second_order
 }
 
-/// A function and its derivative at a value.
-fn smooth(function: Function, x: f64) -> (f64, f64) {
-    match function {
-        Function::Sin => (x.sin(), x.cos()),
-        Function::Cos => (x.cos(), x.sin()),
-        Function::Tan => (x.tan(), 1.0 + x.tan().powi(2)),
-        Function::Exp => (x.exp(), x.exp()),
-        Function::Ln => (x.ln(), x.recip()),
-        _ => (f64::NAN, f64::NAN),
+/// What a smooth function inherits of an operand's error, from its slope. Beyond the first order: where the argument may be
+/// anything, so may the value.
+fn of_slope(slope: f64, operand: Bounded) -> f64 {
+    let curved = 1.0 + operand.error * f64::EPSILON;
+    share(slope.abs() * curved, operand.error)
+}
+
+/// A function that jumps, at a number that is known well enough to say between which steps it is.
+fn of_step(value: fn(f64) -> f64, x: Bounded) -> Bounded {
+    let apart = x.error * f64::EPSILON;
+    let [low, high] = [x.value - apart, x.value + apart].map(value);
+    if low == high || x.error == 0.0 {
+        Bounded::exact(value(x.value))
+    } else {
+        Bounded::unknown(value(x.value))
+    }
+}
+
+/// The one of two that a comparison chooses; where rounding decides that, the number may be the other.
+fn of_comparison(function: Function, [a, b, x, y]: [Bounded; 4]) -> Bounded {
+    let (chosen, other) = if function.holds(&a.value, &b.value) {
+        (x, y)
+    } else {
+        (y, x)
+    };
+    let error = a.error + b.error;
+    if error.is_nan() {
+        return Bounded::unknown(chosen.value);
+    }
+    let is_open = error > 0.0 && (a.value - b.value).abs() <= error * f64::EPSILON;
+    if !is_open {
+        return chosen;
+    }
+    let apart = (chosen.value - other.value).abs() / f64::EPSILON;
+    Bounded {
+        value: chosen.value,
+        error: chosen.error.max(other.error) + apart,
+    }
+}
+
+/// A function that has a row with its slope.
+fn elementary(function: Function, operands: &[Bounded]) -> Bounded {
+    match (function.row().evaluation, operands) {
+        (Evaluation::One(value, slope), [x]) => {
+            let inherited = of_slope(slope(x.value), *x);
+            Bounded::after(value(x.value), inherited, operands)
+        }
+        (Evaluation::Two(value, slopes), [x, y]) => {
+            let [first, second] = slopes.map(|slope| slope(x.value, y.value));
+            let inherited = of_slope(first, *x) + of_slope(second, *y);
+            Bounded::after(value(x.value, y.value), inherited, operands)
+        }
+        (Evaluation::Step(value), [x]) => of_step(value, *x),
+        _ => Bounded::exact(f64::NAN),
     }
 }
 
@@ -213,19 +258,19 @@ impl Number for Bounded {
                 }
             }
             (Function::Select, [a, b, x, y]) => *if a.value == b.value { x } else { y },
+            (Function::Less | Function::AtMost, [a, b, x, y]) => {
+                of_comparison(function, [*a, *b, *x, *y])
+            }
+            (Function::SignBit, [x]) => Self::exact(f64::apply(function, &[x.value])),
             (Function::MulAdd, [a, b, c]) => {
                 let inherited = of_product(*a, *b);
                 let value = a.value.mul_add(b.value, c.value);
                 Self::scaled(value, inherited + c.error, operands)
             }
-            (Function::Ln, [x]) if x.is_lost() => Self::unknown(x.value.ln()),
-            (function, [x, ..]) => {
-                let (value, slope) = smooth(function, x.value);
-                // Beyond the first order: where the argument may be anything, so may the value.
-                let curved = 1.0 + x.error * f64::EPSILON;
-                Self::after(value, share(slope.abs() * curved, x.error), operands)
+            (Function::Ln | Function::Log10 | Function::Log2, [x]) if x.is_lost() => {
+                Self::unknown(f64::apply(function, &[x.value]))
             }
-            _ => Self::exact(f64::NAN),
+            _ => elementary(function, operands),
         }
     }
 

@@ -4,6 +4,8 @@
 //! What has no finite value, such as the root or logarithm of a negative number, is not folded: the code computes it, and it
 //! is NaN there as in the function as written.
 
+mod functions;
+
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Signed, ToPrimitive, Zero};
@@ -26,7 +28,7 @@ const ZERO_BITS: usize = 130;
 /// A function of constants, where it has a finite value that is not a rational number's by a rule.
 pub fn value(function: Function, operands: &[Rational]) -> Option<Rational> {
     match (function, operands) {
-        (Function::Sign | Function::Side, [x]) => Some(if x.is_negative() {
+        (Function::Sign | Function::Side | Function::SignBit, [x]) => Some(if x.is_negative() {
             -Rational::ONE
         } else {
             Rational::ONE
@@ -37,6 +39,11 @@ pub fn value(function: Function, operands: &[Rational]) -> Option<Rational> {
         (Function::Exp, [x]) => exponential(x),
         (Function::Ln, [x]) if x.is_positive() => Some(logarithm(x)),
         (Function::Sin | Function::Cos | Function::Tan, [x]) => circular(function, x),
+        (Function::Less | Function::AtMost, [a, b, x, y]) => {
+            functions::chosen(function, [a, b, x, y]).cloned()
+        }
+        (_, [x]) => functions::of_one(function, x),
+        (_, [x, y]) => functions::of_two(function, x, y),
         _ => None,
     }
 }
@@ -75,16 +82,20 @@ fn series(first: BigInt, square: &BigInt, divisor: impl Fn(u32) -> u32) -> BigIn
     sum
 }
 
-/// 2 artanh(z), that is ln((1+z)/(1−z)), for |z| well below 1.
-fn twice_artanh(z: &BigInt) -> BigInt {
-    let square = product(z, z);
-    let (mut sum, mut power, mut odd) = (BigInt::zero(), z.clone(), 1_u32);
+/// z + s·z/3 + s²·z/5 + …, the arc tangent for s = −z², its hyperbolic one for s = z².
+fn series_of_odd(z: BigInt, square: &BigInt) -> BigInt {
+    let (mut sum, mut power, mut odd) = (BigInt::zero(), z, 1_u32);
     while !power.is_zero() && power != -BigInt::one() {
         sum += &power / odd;
-        power = product(&power, &square);
+        power = product(&power, square);
         odd += 2;
     }
-    sum * 2
+    sum
+}
+
+/// 2 artanh(z), that is ln((1+z)/(1−z)), for |z| well below 1.
+fn twice_artanh(z: &BigInt) -> BigInt {
+    series_of_odd(z.clone(), &product(z, z)) * 2
 }
 
 fn ln_2() -> BigInt {
@@ -117,13 +128,7 @@ fn pi() -> BigInt {
     let arctan_of_inverse = |n: u32| {
         let z = one() / n;
         let square = -product(&z, &z);
-        let (mut sum, mut power, mut odd) = (BigInt::zero(), z, 1_u32);
-        while !power.is_zero() && power != -BigInt::one() {
-            sum += &power / odd;
-            power = product(&power, &square);
-            odd += 2;
-        }
-        sum
+        series_of_odd(z, &square)
     };
     arctan_of_inverse(5) * 16 - arctan_of_inverse(239) * 4
 }
@@ -167,10 +172,145 @@ mod tests {
     use crate::graph::decimal;
     use crate::graph::ratio;
 
+    use Function as F;
+
+    /// Arguments of a function as fractions.
+    type Arguments = &'static [(i64, i64)];
+
+    /// Functions of constants with their digits by other means.
+    const WITH_DIGITS: [(F, Arguments, &str); 20] = [
+        (
+            F::Asin,
+            &[(1, 2)],
+            "0.5235987755982988730771072305465838140328615665625176368291574320513027",
+        ),
+        (
+            F::Acos,
+            &[(-1, 2)],
+            "2.0943951023931954923084289221863352561314462662500705473166297282052109",
+        ),
+        (
+            F::Atan,
+            &[(3, 1)],
+            "1.2490457723982544258299170772810901230778294041298967190546692367971519",
+        ),
+        (
+            F::Atan,
+            &[(-1, 10)],
+            "-0.0996686524911620273784461198780205902432783225043146480155087768100277",
+        ),
+        (
+            F::Sinh,
+            &[(1, 1)],
+            "1.1752011936438014568823818505956008151557179813340958702295654130133075",
+        ),
+        (
+            F::Cosh,
+            &[(-1, 1)],
+            "1.5430806348152437784779056207570616826015291123658637047374022147107690",
+        ),
+        (
+            F::Tanh,
+            &[(-1, 1)],
+            "-0.761594155955764888119458282604793590412768597257936551596810500121953",
+        ),
+        (
+            F::Asinh,
+            &[(2, 1)],
+            "1.4436354751788103424932767402731052694055530031569815589830545065204916",
+        ),
+        (
+            F::Acosh,
+            &[(3, 1)],
+            "1.7627471740390860504652186499595846180563206565232708215065912173067543",
+        ),
+        (
+            F::Atanh,
+            &[(1, 2)],
+            "0.5493061443340548456976226184612628523237452789113747258673471668187471",
+        ),
+        (
+            F::ExpM1,
+            &[(1, 100)],
+            "0.0100501670841680575421654569028600338073622015242925151644040312543741",
+        ),
+        (
+            F::Ln1p,
+            &[(-1, 2)],
+            "-0.693147180559945309417232121458176568075500134360255254120680009493393",
+        ),
+        (
+            F::Cbrt,
+            &[(-2, 1)],
+            "-1.2599210498948731647672106072782283505702514647015079800819751121552996",
+        ),
+        (
+            F::Log10,
+            &[(2, 1)],
+            "0.3010299956639811952137388947244930267681898814621085413104274611271081",
+        ),
+        (
+            F::Log2,
+            &[(10, 1)],
+            "3.3219280948873623478703194294893901758648313930245806120547563958159347",
+        ),
+        (
+            F::Exp2,
+            &[(1, 2)],
+            "1.4142135623730950488016887242096980785696718753769480731766797379907324",
+        ),
+        (
+            F::Atan2,
+            &[(1, 1), (-2, 1)],
+            "2.6779450445889871222483871518182884821686323450889855571640115035876185",
+        ),
+        (
+            F::Hypot,
+            &[(1, 1), (2, 1)],
+            "2.2360679774997896964091736687312762354406183596115257242708972454105209",
+        ),
+        (
+            F::Powf,
+            &[(2, 1), (1, 10)],
+            "1.0717734625362931642130063250233420229063846049775567834827806681442454",
+        ),
+        (
+            F::Powf,
+            &[(1, 2), (-5, 2)],
+            "5.6568542494923801952067548968387923142786875015077922927067189519629299",
+        ),
+    ];
+
+    /// Functions of constants that are rational numbers.
+    const EXACT: [(F, Arguments, (i64, i64)); 18] = [
+        (F::Acos, &[(1, 1)], (0, 1)),
+        (F::Acosh, &[(1, 1)], (0, 1)),
+        (F::Exp2, &[(-3, 1)], (1, 8)),
+        (F::Powf, &[(-3, 2), (3, 1)], (-27, 8)),
+        (F::Powf, &[(0, 1), (1, 2)], (0, 1)),
+        (F::Powf, &[(0, 1), (0, 1)], (1, 1)),
+        (F::Floor, &[(-7, 2)], (-4, 1)),
+        (F::Ceil, &[(-7, 2)], (-3, 1)),
+        (F::Trunc, &[(-7, 2)], (-3, 1)),
+        (F::Round, &[(-7, 2)], (-4, 1)),
+        (F::Round, &[(5, 2)], (3, 1)),
+        (F::Round, &[(4, 1)], (4, 1)),
+        (F::Floor, &[(4, 1)], (4, 1)),
+        (F::SignBit, &[(-7, 2)], (-1, 1)),
+        (F::Less, &[(1, 1), (1, 1), (2, 1), (3, 1)], (3, 1)),
+        (F::AtMost, &[(1, 1), (1, 1), (2, 1), (3, 1)], (2, 1)),
+        (F::Less, &[(1, 2), (1, 1), (2, 1), (3, 1)], (2, 1)),
+        (F::Sinh, &[(0, 1)], (0, 1)),
+    ];
+
     /// Whether they agree to 60 digits.
     fn assert_digits(function: Function, argument: Rational, digits: &str) {
+        assert_digits_of(function, &[argument], digits);
+    }
+
+    fn assert_digits_of(function: Function, arguments: &[Rational], digits: &str) {
         let (found, expected) = (
-            value(function, &[argument]).expect("a value"),
+            value(function, arguments).expect("a value"),
             decimal(digits).expect("digits"),
         );
         let apart = ((&found - &expected) / &expected).abs();
@@ -220,18 +360,49 @@ mod tests {
     }
 
     #[test]
+    fn other_functions_have_sixty_digits() {
+        for (function, arguments, digits) in WITH_DIGITS {
+            let arguments: Vec<Rational> = arguments.iter().map(|(n, d)| ratio(*n, *d)).collect();
+            assert_digits_of(function, &arguments, digits);
+        }
+    }
+
+    #[test]
+    fn what_is_exact_is_exact() {
+        for (function, arguments, (n, d)) in EXACT {
+            let arguments: Vec<Rational> = arguments.iter().map(|(n, d)| ratio(*n, *d)).collect();
+            assert_eq!(
+                value(function, &arguments),
+                Some(ratio(n, d)),
+                "{function:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn what_is_known_to_some_digits_decides_no_jump() {
+        // The cube root of 27 by logarithms is 3 but for what was not worked out.
+        let third = ratio(1, 3);
+        let three = value(Function::Powf, &[ratio(27, 1), third]).expect("a value");
+        assert_ne!(three, ratio(3, 1));
+        assert_eq!(three.to_f64(), Some(3.0));
+        for step in [Function::Floor, Function::Ceil, Function::Trunc] {
+            assert_eq!(value(step, std::slice::from_ref(&three)), None, "{step:?}");
+        }
+        let compared = [three, ratio(3, 1), ratio(1, 1), ratio(2, 1)];
+        for comparison in [Function::Less, Function::AtMost] {
+            assert_eq!(value(comparison, &compared), None, "{comparison:?}");
+        }
+    }
+
+    #[test]
     fn functions_of_constants_are_those_of_the_standard_library() {
-        let functions = [
-            Function::Exp,
-            Function::Ln,
-            Function::Sin,
-            Function::Cos,
-            Function::Tan,
-        ];
+        let one_number = Function::called().filter(|row| row.arity == 1);
+        let functions: Vec<Function> = one_number.map(|row| row.function).collect();
         for step in -80..=80_i64 {
             let x = ratio(step * step * step, 3000);
             let nearest = x.to_f64().expect("a number");
-            for function in functions {
+            for &function in &functions {
                 let Some(found) = value(function, std::slice::from_ref(&x)) else {
                     continue;
                 };
@@ -255,5 +426,18 @@ mod tests {
         assert_eq!(value(Function::Ln, &[ratio(0, 1)]), None);
         assert_eq!(value(Function::Sqrt, &[ratio(-1, 2)]), None);
         assert_eq!(value(Function::Exp, &[ratio(1000, 1)]), None);
+        assert_eq!(value(Function::Asin, &[ratio(3, 2)]), None);
+        assert_eq!(value(Function::Acosh, &[ratio(1, 2)]), None);
+        assert_eq!(value(Function::Atanh, &[ratio(1, 1)]), None);
+        assert_eq!(value(Function::Ln1p, &[ratio(-1, 1)]), None);
+        assert_eq!(value(Function::Sinh, &[ratio(800, 1)]), None);
+        let nothing = ratio(0, 1);
+        assert_eq!(
+            value(Function::Atan2, &[nothing.clone(), nothing.clone()]),
+            None
+        );
+        assert_eq!(value(Function::Powf, &[nothing, ratio(-1, 2)]), None);
+        assert_eq!(value(Function::Powf, &[ratio(-1, 1), ratio(1, 2)]), None);
+        assert_eq!(value(Function::Powf, &[ratio(2, 1), ratio(5000, 1)]), None);
     }
 }

@@ -37,9 +37,7 @@ pub(super) fn held_forms(held: &Held, passes: Passes) -> Vec<Circuit> {
     let symbols: Vec<SymbolId> = held.definitions.iter().map(|(symbol, _)| *symbol).collect();
     let all = held.all();
     let mut forms = lowered_forms(held.graph, all, &held.outputs, passes);
-    for form in &mut forms {
-        form.define(&symbols);
-    }
+    forms.retain_mut(|form| form.define(&symbols));
     forms
 }
 

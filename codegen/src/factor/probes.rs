@@ -43,18 +43,40 @@ fn special(sizes: Sizes) -> Vec<f64> {
 /// Arguments at the ends of the exponential's range: of it, of its square, and where it is lost beside 1.
 const EXPONENTS: [f64; 8] = [20.0, -20.0, 355.0, -355.0, 710.0, -710.0, 745.0, -745.0];
 
+/// Numbers whose power to themselves is in the middle of the range of numbers, and near its end.
+const POWERS: [f64; 2] = [75.0, 140.0];
+
+/// Numbers between the edges of a function that has values from −1 to 1 alone, where those of everyday have none.
+const WITHIN_ONE: [f64; 4] = [0.375, -0.75, 0.9990234375, -0.9990234375];
+
+/// The functions whose arguments have edges beside those of numbers, with special numbers for them.
+fn edges(function: Function) -> &'static [f64] {
+    match function {
+        Function::Exp
+        | Function::ExpM1
+        | Function::Exp2
+        | Function::Sinh
+        | Function::Cosh
+        | Function::Tanh => &EXPONENTS,
+        Function::Powf => &POWERS,
+        Function::Asin | Function::Acos | Function::Atanh | Function::Ln1p => &WITHIN_ONE,
+        _ => &[],
+    }
+}
+
 /// The special numbers for a formula.
 fn special_for(graph: &Graph) -> Vec<f64> {
     let mut numbers = special(graph.sizes);
-    let is_exponential = |position| {
-        matches!(
-            graph.expression(position).map(|id| graph.node(id)),
-            Some(Node::Apply(Function::Exp, _))
-        )
-    };
-    if (0..graph.len()).any(is_exponential) {
-        let fits = |size: &f64| within_sizes(graph.sizes, size.abs()) == size.abs();
-        numbers.extend(EXPONENTS.iter().copied().filter(fits));
+    let fits = |size: &f64| within_sizes(graph.sizes, size.abs()) == size.abs();
+    let mut seen: Vec<&[f64]> = Vec::new();
+    for id in (0..graph.len()).filter_map(|position| graph.expression(position)) {
+        if let Node::Apply(function, _) = graph.node(id)
+            && let edges = edges(*function)
+            && !seen.contains(&edges)
+        {
+            seen.push(edges);
+            numbers.extend(edges.iter().copied().filter(fits));
+        }
     }
     numbers
 }
@@ -111,7 +133,36 @@ pub fn points(
     let mixed = spread(0..MIXED, share).map(|number| mixed(graph, number));
     let special = [alone(graph, &places), together(graph, &places)];
     let special = special.into_iter().flat_map(|kind| spread(kind, share));
-    everyday_and_far.chain(mixed).chain(special).collect()
+    let tiny = spread(tiny(graph), share);
+    everyday_and_far
+        .chain(mixed)
+        .chain(special)
+        .chain(tiny)
+        .collect()
+}
+
+/// Points at which all numbers are so small that their inverses are infinite, for formulas with a length, which no square
+/// makes 0: a share of the length is a number where the length's inverse is none.
+fn tiny(graph: &Graph) -> Vec<Vec<f64>> {
+    const POINTS: u64 = 8;
+    let expressions = (0..graph.len()).filter_map(|position| graph.expression(position));
+    let mut nodes = expressions.map(|id| graph.node(id));
+    if graph.sizes != Sizes::All
+        || !nodes.any(|node| matches!(node, Node::Apply(Function::Hypot, _)))
+    {
+        return Vec::new();
+    }
+    let point = |number: u64| {
+        let mut random = Random::new(5000 + number);
+        let symbols = graph.symbols();
+        let value = |symbol: &Symbol| {
+            // One in four is 0, so that the share of another is 1.
+            let size = if random.below(4) == 0 { 0.0 } else { 1e-310 };
+            within(symbol, size * everyday(&mut random))
+        };
+        symbols.map(|(_, symbol)| symbol).map(value).collect()
+    };
+    (0..POINTS).map(point).collect()
 }
 
 /// Two terms of a sum that cancel where `symbol` has `ratio` times the value of `other`, and the sum's other symbols.

@@ -17,7 +17,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use super::bounded::Pack;
 use super::probes;
 use crate::circuit::{Circuit, Operation};
-use crate::graph::{ExprId, Function, Graph, Symbol, SymbolId};
+use crate::graph::{ExprId, Graph, Symbol, SymbolId};
 use crate::interpret::double_double::DoubleDouble;
 use crate::interpret::{Number, Prepared};
 use crate::parallel::{WORTH_A_THREAD, on_all_cores};
@@ -332,10 +332,7 @@ fn has_no_corners(circuit: &Circuit) -> bool {
     circuit.nets().all(|net| {
         !matches!(
             circuit.operation(net),
-            Operation::Apply(
-                Function::Sign | Function::Side | Function::Min | Function::Max | Function::Select,
-                _
-            )
+            Operation::Apply(function, _) if function.is_step() || function.is_choice()
         )
     })
 }

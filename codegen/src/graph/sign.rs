@@ -215,6 +215,14 @@ impl Sign {
         }
     }
 
+    /// This, or zero where that may be.
+    fn or_zero(self, may_be: bool) -> Self {
+        Self {
+            zero: self.zero || may_be,
+            ..self
+        }
+    }
+
     fn of_number(value: &super::Rational) -> Self {
         if value.is_positive() {
             Self::POSITIVE
@@ -290,8 +298,8 @@ impl Graph {
                 positive: true,
             },
             Function::Abs => sign(0).squared(),
-            Function::Exp => Sign::POSITIVE,
-            Function::Sign | Function::Side => Sign {
+            Function::Exp | Function::Exp2 | Function::Cosh => Sign::POSITIVE,
+            Function::Sign | Function::Side | Function::SignBit => Sign {
                 negative: sign(0).negative,
                 zero: false,
                 positive: sign(0).positive || sign(0).zero,
@@ -308,9 +316,36 @@ impl Graph {
                 }
                 either
             }
-            Function::Select => sign(2).or(sign(3)),
+            Function::Select | Function::Less | Function::AtMost => sign(2).or(sign(3)),
             Function::MulAdd => sign(0).times(sign(1)).plus(sign(2)),
-            Function::Sin | Function::Cos | Function::Tan | Function::Ln => Sign::UNKNOWN,
+            // Odd functions that rise, and others through 0 that do.
+            Function::Asin
+            | Function::Atan
+            | Function::Sinh
+            | Function::Tanh
+            | Function::Asinh
+            | Function::Atanh
+            | Function::ExpM1
+            | Function::Ln1p
+            | Function::Cbrt
+            | Function::OverSquares => sign(0),
+            Function::Acos | Function::Acosh => Sign::NOT_NEGATIVE,
+            Function::Hypot => sign(0).squared().plus(sign(1).squared()),
+            Function::Floor => sign(0).or_zero(sign(0).positive),
+            Function::Ceil => sign(0).or_zero(sign(0).negative),
+            Function::Round | Function::Trunc => sign(0).or_zero(true),
+            // Of a zero of which sign the angle is depends on the other number.
+            Function::Atan2 if !sign(0).zero => sign(0),
+            Function::Powf if sign(0).is_positive() => Sign::POSITIVE,
+            Function::Powf if sign(0).is_not_negative() => Sign::NOT_NEGATIVE,
+            Function::Sin
+            | Function::Cos
+            | Function::Tan
+            | Function::Ln
+            | Function::Log10
+            | Function::Log2
+            | Function::Atan2
+            | Function::Powf => Sign::UNKNOWN,
         }
     }
 }

@@ -3,6 +3,8 @@
 //! Sums and products are exact to 2⁻¹⁰⁴ (Dekker 1971, Knuth), elementary functions to some units of 2⁻¹⁰⁰. The range is that of
 //! `f64`, so that this is for numbers of everyday sizes.
 
+mod functions;
+
 use super::{Number, constant_value};
 use crate::graph::{Function, NamedConstant, Rational, Table, whole};
 
@@ -133,8 +135,13 @@ impl DoubleDouble {
             return Self::exact(self.high.exp());
         }
         let (rest, count) = self.without_multiples(&LN_2);
-        let small = rest.scaled(0.5_f64.powi(HALVINGS));
-        // e^x − 1 by its series, so that the squarings below lose nothing.
+        let exponential = Self::exact(1.0).plus(rest.exponential_less_one());
+        exponential.scaled(2.0_f64.powi(count as i32))
+    }
+
+    /// eˣ − 1 of a small number by its series, so that the squarings lose nothing.
+    fn exponential_less_one(self) -> Self {
+        let small = self.scaled(0.5_f64.powi(HALVINGS));
         let mut less_one = Self::exact(0.0);
         for term in (1..=TERMS).rev() {
             let inner = Self::exact(1.0).plus(less_one);
@@ -143,8 +150,7 @@ impl DoubleDouble {
         for _ in 0..HALVINGS {
             less_one = less_one.scaled(2.0).plus(less_one.times(less_one));
         }
-        let exponential = Self::exact(1.0).plus(less_one);
-        exponential.scaled(2.0_f64.powi(count as i32))
+        less_one
     }
 
     fn ln(self) -> Self {
@@ -224,6 +230,7 @@ impl Number for DoubleDouble {
             NamedConstant::E => 1.445_646_891_729_250_2e-16,
             NamedConstant::Ln2 => LN_2[1],
             NamedConstant::Ln10 => -2.170_756_223_382_249_4e-16,
+            NamedConstant::EulerGamma => -4.942_915_152_430_645e-18,
         };
         Self {
             high: constant_value(constant),
@@ -265,6 +272,10 @@ impl Number for DoubleDouble {
             (Function::Min | Function::Max, [x, _]) => *x,
             (Function::Select, [a, b, x, y]) => *if a == b { x } else { y },
             (Function::MulAdd, [a, b, c]) => a.times(*b).plus(*c),
+            (function, [x]) => x.elementary(function),
+            (function, [x, y]) => Self::elementary_of_two(function, *x, *y),
+            (Function::Less, [a, b, x, y]) => *if a.is_below(*b) { x } else { y },
+            (Function::AtMost, [a, b, x, y]) => *if a.is_below(*b) || a == b { x } else { y },
             _ => Self::exact(f64::NAN),
         }
     }
@@ -302,7 +313,7 @@ pub(crate) fn stand_in<N: Number>(table: &Table, order: usize, argument: &N) -> 
 mod tests {
     use super::*;
     use crate::factor::constants;
-    use crate::graph::ratio;
+    use crate::graph::{Evaluation, ratio};
 
     /// How far a number is from a rational one, in parts of it.
     fn error(found: DoubleDouble, exact: &Rational) -> f64 {
@@ -313,13 +324,9 @@ mod tests {
 
     #[test]
     fn functions_have_thirty_digits() {
-        let functions = [
-            Function::Sin,
-            Function::Cos,
-            Function::Tan,
-            Function::Exp,
-            Function::Ln,
-        ];
+        let smooth = Function::called().filter(|row| matches!(row.evaluation, Evaluation::One(..)));
+        let functions: Vec<Function> = smooth.map(|row| row.function).collect();
+        assert!(functions.len() >= 20);
         // Each of them has few enough digits to be a number of this kind.
         let arguments = [
             (1, 4),
@@ -328,6 +335,10 @@ mod tests {
             (1, 1024),
             (81, 1),
             (1025, 1024),
+            (-3, 4),
+            (-1023, 1024),
+            (3, 1 << 20),
+            (350, 1),
         ];
         for function in functions {
             for (n, d) in arguments {
@@ -340,6 +351,48 @@ mod tests {
                 let error = error(found, &exact);
                 assert!(error < 1e-29, "{function:?} of {n}/{d}: {error:e}");
             }
+        }
+    }
+
+    #[test]
+    fn functions_of_two_numbers_have_thirty_digits() {
+        let functions = [Function::Atan2, Function::Hypot, Function::Powf];
+        let numbers = [(1, 4), (-3, 8), (5, 2), (-7, 1), (1, 1 << 30), (81, 1)];
+        for function in functions {
+            let pairs = numbers
+                .iter()
+                .flat_map(|x| numbers.iter().map(move |y| [*x, *y]));
+            for pair in pairs {
+                let arguments = pair.map(|(n, d)| ratio(n, d));
+                let Some(exact) = constants::value(function, &arguments) else {
+                    continue;
+                };
+                let found = arguments.each_ref().map(DoubleDouble::rational);
+                let error = error(DoubleDouble::apply(function, &found), &exact);
+                assert!(error < 1e-28, "{function:?} of {pair:?}: {error:e}");
+            }
+        }
+    }
+
+    #[test]
+    fn functions_that_jump_look_at_all_digits() {
+        let number = |high: f64, low: f64| DoubleDouble { high, low };
+        let cases = [
+            (Function::Floor, number(2.0, -1e-20), 1.0),
+            (Function::Floor, number(2.0, 1e-20), 2.0),
+            (Function::Ceil, number(2.0, 1e-20), 3.0),
+            (Function::Round, number(2.5, -1e-20), 2.0),
+            (Function::Round, number(-2.5, 0.0), -3.0),
+            (Function::Trunc, number(-2.0, 1e-20), -1.0),
+            (Function::Ceil, number(2.0_f64.next_up(), -1e-17), 3.0),
+        ];
+        for (function, argument, expected) in cases {
+            let found = DoubleDouble::apply(function, &[argument]);
+            assert_eq!(
+                found,
+                DoubleDouble::exact(expected),
+                "{function:?} {argument:?}"
+            );
         }
     }
 

@@ -80,14 +80,14 @@ impl<'ast> Visit<'ast> for Fields {
 pub(super) struct Writer<'a> {
     names: Names<'a>,
     /// Symbols of bindings, where they are not by the plain rule.
-    bound: BTreeMap<String, String>,
+    pub(super) bound: BTreeMap<String, String>,
     /// The bindings so far.
     pub(super) lines: Vec<Line>,
 }
 
-type Written = syn::Result<Piece>;
+pub(super) type Written = syn::Result<Piece>;
 
-fn unsupported<T>(tokens: &impl ToTokens) -> syn::Result<T> {
+pub(super) fn unsupported<T>(tokens: &impl ToTokens) -> syn::Result<T> {
     Err(syn::Error::new_spanned(
         tokens,
         format!("`{}` is not a part of a formula", tokens.to_token_stream()),
@@ -132,8 +132,16 @@ impl<'a> Writer<'a> {
 
     /// Writes a `let` as a line of its own.
     pub(super) fn binding(&mut self, statement: &Stmt) -> syn::Result<()> {
-        let Stmt::Local(local) = statement else {
-            return unsupported(statement);
+        let local = match statement {
+            Stmt::Local(local) => local,
+            Stmt::Item(syn::Item::Const(constant)) => {
+                let (name, terms) = (constant.ident.to_string(), self.terms(&constant.expr)?);
+                let symbol = self.names.symbols.latex(&name);
+                self.bound.insert(name, symbol.clone());
+                self.lines.push(Line::new(symbol, &terms));
+                return Ok(());
+            }
+            _ => return unsupported(statement),
         };
         let Some(init) = &local.init else {
             return unsupported(local);
@@ -209,7 +217,7 @@ impl<'a> Writer<'a> {
         }
     }
 
-    fn piece(&mut self, expression: &Expr) -> Written {
+    pub(super) fn piece(&mut self, expression: &Expr) -> Written {
         match expression {
             Expr::Lit(literal) => number(&literal.lit),
             Expr::Path(path) => Ok(self.path(&path.path)),
@@ -220,6 +228,7 @@ impl<'a> Writer<'a> {
             Expr::Unary(unary) => match unary.op {
                 UnOp::Deref(_) => self.piece(&unary.expr),
                 UnOp::Neg(_) => Ok(self.piece(&unary.expr)?.negative()),
+                UnOp::Not(_) => self.negation(&unary.expr),
                 _ => unsupported(expression),
             },
             Expr::Binary(binary) => match binary.op {
@@ -229,9 +238,15 @@ impl<'a> Writer<'a> {
                 )),
                 BinOp::Mul(_) => Ok(self.piece(&binary.left)?.times(self.piece(&binary.right)?)),
                 BinOp::Div(_) => Ok(self.piece(&binary.left)?.over(self.piece(&binary.right)?)),
-                _ => unsupported(expression),
+                _ => self.logical(binary),
             },
-            Expr::MethodCall(call) => self.method(call),
+            Expr::MethodCall(call) => {
+                let arguments: Vec<&Expr> = call.args.iter().collect();
+                self.method(&call.method, &call.receiver, &arguments)
+            }
+            Expr::If(choice) => self.choice(choice),
+            Expr::Match(choice) => self.matched(choice),
+            Expr::Cast(cast) => self.piece(&cast.expr),
             Expr::Call(call) => self.call(call),
             Expr::Field(field) => Ok(self.field(field)),
             Expr::Index(index) => {
@@ -246,7 +261,10 @@ impl<'a> Writer<'a> {
         }
     }
 
-    fn list<'e>(&mut self, expressions: impl IntoIterator<Item = &'e Expr>) -> syn::Result<String> {
+    pub(super) fn list<'e>(
+        &mut self,
+        expressions: impl IntoIterator<Item = &'e Expr>,
+    ) -> syn::Result<String> {
         let texts: syn::Result<Vec<String>> = expressions
             .into_iter()
             .map(|expression| Ok(self.piece(expression)?.text))
@@ -255,7 +273,7 @@ impl<'a> Writer<'a> {
     }
 
     /// A block's value; its bindings become lines of the formula.
-    fn block(&mut self, block: &syn::Block) -> Written {
+    pub(super) fn block(&mut self, block: &syn::Block) -> Written {
         let Some((Stmt::Expr(value, None), bindings)) = block.stmts.split_last() else {
             return unsupported(block);
         };
@@ -298,6 +316,10 @@ impl<'a> Writer<'a> {
                 .constants
                 .iter()
                 .any(|(constant, _)| *constant == name);
+        let of_type = path.segments.len() > 1 && name == "EPSILON";
+        if of_type {
+            return Piece::atom("2").raised_to("-52");
+        }
         if !own && let Some(constant) = constant(&name) {
             return constant;
         }
@@ -320,60 +342,6 @@ impl<'a> Writer<'a> {
         symbol_piece(symbol)
     }
 
-    fn method(&mut self, call: &syn::ExprMethodCall) -> Written {
-        let name = call.method.to_string();
-        let arguments: Vec<&Expr> = call.args.iter().collect();
-        match (name.as_str(), arguments.as_slice()) {
-            ("powi", [exponent]) => self.power(&call.receiver, exponent),
-            ("sqrt", []) => Ok(Piece::atom(format!(
-                "\\sqrt{{{}}}",
-                self.piece(&call.receiver)?.text
-            ))),
-            ("abs", []) => Ok(Piece::atom(delimited(
-                "|",
-                &self.piece(&call.receiver)?.text,
-                "|",
-            ))),
-            ("exp", []) => {
-                let exponent = self.piece(&call.receiver)?.text;
-                Ok(Piece::atom("e").raised_to(&exponent))
-            }
-            ("recip", []) => Ok(Piece::atom("1").over(self.piece(&call.receiver)?)),
-            ("sin" | "cos" | "tan" | "ln", []) => Ok(Piece::atom(format!(
-                "\\{name}{}",
-                parentheses(&self.piece(&call.receiver)?.text)
-            ))),
-            ("min" | "max", [other]) => {
-                let operands = self.list([call.receiver.as_ref(), other])?;
-                Ok(Piece::atom(format!("\\{name}{}", parentheses(&operands))))
-            }
-            ("mul_add", [factor, summand]) => {
-                let product = self.piece(&call.receiver)?.times(self.piece(factor)?);
-                let (negative, text) = self.piece(summand)?.term();
-                let sign = if negative { '-' } else { '+' };
-                Ok(Piece::new(
-                    format!("{} {sign} {text}", product.text),
-                    Precedence::Sum,
-                ))
-            }
-            _ => unsupported(call),
-        }
-    }
-
-    fn power(&mut self, base: &Expr, exponent: &Expr) -> Written {
-        let exponent = self.piece(exponent)?.text;
-        let open = peeled(base);
-        if let Expr::MethodCall(call) = open
-            && let name @ ("sin" | "cos" | "tan" | "ln") = call.method.to_string().as_str()
-            && !exponent.starts_with('-')
-        {
-            let function = Piece::atom(format!("\\{name}")).raised_to(&exponent);
-            let argument = parentheses(&self.piece(&call.receiver)?.text);
-            return Ok(Piece::new(function.text + &argument, Precedence::Power));
-        }
-        Ok(self.piece(base)?.raised_to(&exponent))
-    }
-
     fn call(&mut self, call: &ExprCall) -> Written {
         let Expr::Path(path) = call.func.as_ref() else {
             return unsupported(call);
@@ -383,6 +351,15 @@ impl<'a> Writer<'a> {
         let segments: Vec<String> = called.map(|segment| segment.ident.to_string()).collect();
         match (segments.as_slice(), module.callee(&path.path)) {
             ([name], None) if name == "integral" => self.integral(call),
+            ([of, _], None) if of == "f64" => {
+                let arguments: Vec<&Expr> = call.args.iter().collect();
+                match (path.path.segments.last(), arguments.split_first()) {
+                    (Some(method), Some((receiver, rest))) => {
+                        self.method(&method.ident, receiver, rest)
+                    }
+                    _ => unsupported(call),
+                }
+            }
             ([name], None) => {
                 let arguments = self.arguments(call)?;
                 Ok(Piece::atom(self.names.symbols.latex(name) + &arguments))
@@ -518,7 +495,7 @@ impl<'a> Writer<'a> {
 }
 
 /// The expression within parentheses and references.
-fn peeled(expression: &Expr) -> &Expr {
+pub(super) fn peeled(expression: &Expr) -> &Expr {
     match expression {
         Expr::Paren(inner) => peeled(&inner.expr),
         Expr::Group(inner) => peeled(&inner.expr),
@@ -553,6 +530,7 @@ fn number(literal: &Lit) -> Written {
     let digits = match literal {
         Lit::Float(value) => value.base10_digits().to_owned(),
         Lit::Int(value) => value.base10_digits().to_owned(),
+        Lit::Bool(truth) => return Ok(Piece::atom(format!("\\text{{{}}}", truth.value))),
         other => return unsupported(other),
     };
     let (mantissa, exponent) = digits.split_once(['e', 'E']).unwrap_or((&digits, ""));
@@ -590,6 +568,9 @@ fn constant(name: &str) -> Option<Piece> {
         "LOG2_E" => quotient("1", "\\ln(2)"),
         "LOG10_E" => quotient("1", "\\ln(10)"),
         "GOLDEN_RATIO" => quotient("1 + \\sqrt{5}", "2"),
+        "LOG2_10" => quotient("\\ln(10)", "\\ln(2)"),
+        "LOG10_2" => quotient("\\ln(2)", "\\ln(10)"),
+        "EULER_GAMMA" => atom("\\gamma"),
         _ => None,
     }
 }

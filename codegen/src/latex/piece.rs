@@ -5,6 +5,12 @@ use crate::symbols::braced;
 /// How tightly a text holds together, loosest first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Precedence {
+    /// `a ∨ b`
+    Or,
+    /// `a ∧ b`
+    And,
+    /// `a < b`
+    Comparison,
     /// `a + b`
     Sum,
     /// `-a`: the text begins with the sign, and what follows is a product or tighter.
@@ -121,7 +127,7 @@ pub(super) fn parentheses(text: &str) -> String {
 
 /// The text between delimiters that are as tall as it is.
 pub(super) fn delimited(left: &str, text: &str, right: &str) -> String {
-    let tall = ["\\frac", "\\int", "\\sqrt", "\\left"]
+    let tall = ["\\frac", "\\int", "\\sqrt", "\\left", "\\begin"]
         .iter()
         .any(|command| text.contains(command));
     if tall {

@@ -179,11 +179,48 @@ fn two_structs_of_one_type_are_told_apart() {
 }
 
 #[test]
+fn functions_have_their_notation() {
+    let cases = [
+        ("f64::atan2(x, y)", r"\operatorname{atan2}(x, y)"),
+        (
+            "x.asin() + x.acosh()",
+            r"\arcsin(x) + \operatorname{arcosh}(x)",
+        ),
+        ("x.tanh().powi(2)", r"\tanh^2(x)"),
+        ("x.hypot(y + 1.0)", r"\sqrt{x^2 + (y + 1)^2}"),
+        ("2.0 * x.exp_m1()", r"2 (e^x - 1)"),
+        ("x.ln_1p() * x.cbrt()", r"\ln(1 + x) \sqrt[3]{x}"),
+        ("x.powf(y / 2.0)", r"x^{\frac{y}{2}}"),
+        (
+            "x.log10() + x.log2() + x.log(y)",
+            r"\log_{10}(x) + \log_2(x) + \log_{y}(x)",
+        ),
+        (
+            "x.floor() - x.ceil()",
+            r"\lfloor x \rfloor - \lceil x \rceil",
+        ),
+        ("x.clamp(-1.0, y)", r"\operatorname{clamp}(x, -1, y)"),
+        ("2 as f64 * f64::EPSILON", r"2 \cdot 2^{-52}"),
+    ];
+    for (formula, expected) in cases {
+        let source = format!("pub fn f(x: f64, y: f64) -> f64 {{ {formula} }}");
+        assert_eq!(latex(&source), format!("f(x, y) = {expected}"));
+    }
+}
+
+#[test]
+fn choices_are_cases() {
+    let source = "pub fn f(x: f64, y: f64) -> f64 { const K: f64 = 2.0; let t = if x < y && !(y >= K || x == 1.0) { x } else if x != y { K * y } else { 0.0 }; t * match x > y { true => x, false => y } }";
+    assert_eq!(
+        latex(source),
+        "\\begin{aligned}\nf(x, y) &= t \\begin{cases} x & \\text{if } x > y \\\\ y & \\text{otherwise} \\end{cases}\\\\\nK &= 2\\\\\nt &= \\begin{cases} x & \\text{if } x < y \\land \\lnot (y \\ge K \\lor x = 1) \\\\ K y & \\text{if } x \\ne y \\\\ 0 & \\text{otherwise} \\end{cases}\n\\end{aligned}"
+    );
+}
+
+#[test]
 fn mistakes_are_told() {
-    let shown = show::module(
-        "#[symbolic] mod m { pub fn f(x: f64) -> f64 { if x > 0.0 { x } else { 0.0 } } }",
-    )
-    .unwrap();
+    let shown =
+        show::module("#[symbolic] mod m { pub fn f(x: f64) -> f64 { loop { break x } } }").unwrap();
     let error = show::latex(&shown, "f").unwrap_err();
     assert!(
         error.to_string().contains("is not a part of a formula"),

@@ -2,6 +2,7 @@
 
 mod calls;
 mod chains;
+mod choices;
 mod methods;
 pub(crate) mod partials;
 mod result;
@@ -12,11 +13,12 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use proc_macro2::Span;
 use syn::spanned::Spanned;
-use syn::{Expr, Lit};
+use syn::{Expr, Lit, Type, UnOp};
 
 use super::attributes::Approximation;
 use super::literal;
 use super::module::{Function, Module, ParameterKind};
+use super::names::names_of;
 use super::numbers;
 use super::tabulated::TableSource;
 use super::value::Value;
@@ -227,9 +229,9 @@ impl<'m> Reader<'m> {
             Expr::Tuple(tuple) => self.all(tuple.elems.iter(), scope).map(Value::Tuple),
             Expr::Array(array) => self.all(array.elems.iter(), scope).map(Value::Array),
             Expr::Struct(literal) => self.struct_literal(literal, scope),
-            Expr::Unary(_) => {
-                self.unsupported(expression.span(), "`!`", "formulas have no logical values")
-            }
+            Expr::If(choice) => self.choice(choice, scope),
+            Expr::Match(choice) => self.matched(choice, scope),
+            Expr::Cast(cast) => self.cast(cast, scope),
             other => self.unsupported_expression(other),
         }
     }
@@ -237,17 +239,13 @@ impl<'m> Reader<'m> {
     fn unsupported_expression(&mut self, expression: &Expr) -> Option<Value> {
         let span = expression.span();
         match expression {
-            Expr::If(_) | Expr::Match(_) => {
-                self.unsupported(span, "a branch", "use min, max or abs, or write one formula per case and choose between them outside")
-            }
             Expr::ForLoop(_) | Expr::While(_) | Expr::Loop(_) => {
                 self.unsupported(span, "a loop", "write the terms out, or give the sum as an integral or a function of its own")
             }
-            Expr::Cast(_) => self.unsupported(span, "a cast", "all numbers of a formula are f64"),
             Expr::Macro(_) => self.unsupported(span, "a macro call", "write the expression out"),
             Expr::Assign(_) => self.unsupported(span, "an assignment", "bind the new value with `let`"),
             Expr::Closure(_) => self.unsupported(span, "a closure here", "closures are the integrands of `integral(|x| …, a..b)`"),
-            _ => self.unsupported(span, "this expression", "formulas are + - * /, powi, sqrt, sin, cos, tan, exp, ln, abs, recip, mul_add, min, max and calls of other formulas"),
+            _ => self.unsupported(span, "this expression", "formulas are + - * /, methods such as powi, sqrt, sin and max, `if`, and calls of other formulas"),
         }
     }
 
@@ -313,6 +311,38 @@ impl<'m> Reader<'m> {
         }
     }
 
+    /// `2 as f64`: the number that a whole number literal is; what is an `f64` stays as it is.
+    fn cast(&mut self, cast: &syn::ExprCast, scope: &mut Scope) -> Option<Value> {
+        let hint = "all numbers of a formula are f64: write `2.0`, or `2 as f64`";
+        if !matches!(cast.ty.as_ref(), Type::Path(path) if path.path.is_ident("f64")) {
+            return self.unsupported(cast.ty.span(), "a cast to another type", hint);
+        }
+        let (mut inner, mut negative) = (cast.expr.as_ref(), false);
+        loop {
+            inner = match inner {
+                Expr::Paren(paren) => &paren.expr,
+                Expr::Group(group) => &group.expr,
+                Expr::Unary(unary) if matches!(unary.op, UnOp::Neg(_)) => {
+                    negative = !negative;
+                    &unary.expr
+                }
+                _ => break,
+            };
+        }
+        if let Expr::Lit(syn::ExprLit {
+            lit: Lit::Int(whole),
+            ..
+        }) = inner
+            && !matches!(whole.suffix(), "f32" | "f64")
+            && let Some(number) = decimal(whole.base10_digits())
+        {
+            let number = self.graph.number(if negative { -number } else { number });
+            return Some(Value::Number(number));
+        }
+        let number = self.number(&cast.expr, scope)?;
+        Some(Value::Number(number))
+    }
+
     fn path(&mut self, path: &syn::Path, scope: &mut Scope) -> Option<Value> {
         let last = path.segments.last()?;
         let name = last.ident.to_string();
@@ -332,11 +362,17 @@ impl<'m> Reader<'m> {
         {
             return Some(Value::Number(id));
         }
+        if let Some(value) = names_of(path).strip_suffix(std::slice::from_ref(&name))
+            && is_type(value)
+            && let Some(value) = literal::of_type(&name)
+        {
+            return Some(Value::Number(self.graph.number(value)));
+        }
         if literal::CONSTANTS.contains(&name.as_str()) || path.segments.len() > 1 {
             self.diagnostics.error_with_hint(
                 path.span(),
                 format!("the value of `{name}` is not known here"),
-                "constants are those of the module and of std::f64::consts, by their path or imported in the module",
+                "constants are those of the module and of std::f64::consts, by their path or imported in the module, and f64::EPSILON, MAX, MIN and MIN_POSITIVE",
             );
             return None;
         }
@@ -415,6 +451,14 @@ impl<'m> Reader<'m> {
             }
         }
     }
+}
+
+/// Whether a path is that of the type `f64`, or of the module of its name that has its constants.
+fn is_type(path: &[String]) -> bool {
+    matches!(path, [name] | [_, name] if name == "f64")
+        && path
+            .first()
+            .is_some_and(|first| ["f64", "std", "core"].contains(&first.as_str()))
 }
 
 /// `c.beta` as an identifier: `c_beta`; `a[0]`: `a_0`; `r#type`: `type_`.

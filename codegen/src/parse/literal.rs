@@ -1,9 +1,9 @@
-//! The constants of `std::f64::consts`.
+//! The constants of `std::f64::consts`, and those of the type.
 
-use crate::graph::{ExprId, Function, Graph, NamedConstant, ratio};
+use crate::graph::{ExprId, Function, Graph, NamedConstant, Rational, ratio};
 
 /// The names that `std::f64::consts` knows and formulas may use.
-pub const CONSTANTS: [&str; 18] = [
+pub const CONSTANTS: [&str; 21] = [
     "PI",
     "TAU",
     "FRAC_PI_2",
@@ -22,6 +22,9 @@ pub const CONSTANTS: [&str; 18] = [
     "LOG2_E",
     "LOG10_E",
     "GOLDEN_RATIO",
+    "LOG2_10",
+    "LOG10_2",
+    "EULER_GAMMA",
 ];
 
 /// The exact expression behind a name of `std::f64::consts`.
@@ -67,6 +70,15 @@ pub fn constant(graph: &mut Graph, name: &str) -> Option<ExprId> {
         "LN_10" => graph.constant(NamedConstant::Ln10),
         "LOG2_E" => inverse(graph, NamedConstant::Ln2),
         "LOG10_E" => inverse(graph, NamedConstant::Ln10),
+        "LOG2_10" | "LOG10_2" => {
+            let [two, ten] = [NamedConstant::Ln2, NamedConstant::Ln10].map(|of| graph.constant(of));
+            if name == "LOG2_10" {
+                graph.divide(ten, two)
+            } else {
+                graph.divide(two, ten)
+            }
+        }
+        "EULER_GAMMA" => graph.constant(NamedConstant::EulerGamma),
         "GOLDEN_RATIO" => {
             let five = graph.integer(5);
             let root = graph.sqrt(five);
@@ -75,6 +87,18 @@ pub fn constant(graph: &mut Graph, name: &str) -> Option<ExprId> {
         }
         _ => return None,
     })
+}
+
+/// The finite numbers of `f64` that have a name there, such as `f64::EPSILON`.
+pub fn of_type(name: &str) -> Option<Rational> {
+    let value = match name {
+        "EPSILON" => f64::EPSILON,
+        "MAX" => f64::MAX,
+        "MIN" => f64::MIN,
+        "MIN_POSITIVE" => f64::MIN_POSITIVE,
+        _ => return None,
+    };
+    Rational::of_f64(value)
 }
 
 #[cfg(test)]
@@ -89,5 +113,44 @@ mod tests {
                 .iter()
                 .all(|name| constant(&mut graph, name).is_some())
         );
+    }
+
+    #[test]
+    fn constants_are_those_of_the_standard_library() {
+        use std::f64::consts;
+        let known = [
+            ("PI", consts::PI),
+            ("TAU", consts::TAU),
+            ("FRAC_PI_2", consts::FRAC_PI_2),
+            ("FRAC_PI_3", consts::FRAC_PI_3),
+            ("FRAC_PI_4", consts::FRAC_PI_4),
+            ("FRAC_PI_6", consts::FRAC_PI_6),
+            ("FRAC_PI_8", consts::FRAC_PI_8),
+            ("FRAC_1_PI", consts::FRAC_1_PI),
+            ("FRAC_2_PI", consts::FRAC_2_PI),
+            ("FRAC_2_SQRT_PI", consts::FRAC_2_SQRT_PI),
+            ("SQRT_2", consts::SQRT_2),
+            ("FRAC_1_SQRT_2", consts::FRAC_1_SQRT_2),
+            ("E", consts::E),
+            ("LN_2", consts::LN_2),
+            ("LN_10", consts::LN_10),
+            ("LOG2_E", consts::LOG2_E),
+            ("LOG10_E", consts::LOG10_E),
+            ("GOLDEN_RATIO", consts::GOLDEN_RATIO),
+            ("LOG2_10", consts::LOG2_10),
+            ("LOG10_2", consts::LOG10_2),
+            ("EULER_GAMMA", consts::EULER_GAMMA),
+        ];
+        assert_eq!(known.map(|(name, _)| name), CONSTANTS);
+        for (name, nearest) in known {
+            let mut graph = Graph::as_written();
+            let id = constant(&mut graph, name).expect("a constant");
+            let found = crate::interpret::evaluate::<f64>(&graph, &[id], &[]);
+            let found = found.expect("a value")[0];
+            assert!(
+                (found - nearest).abs() <= nearest * f64::EPSILON,
+                "{name}: {found}"
+            );
+        }
     }
 }

@@ -1,5 +1,6 @@
 //! What an expression of the source stands for while a function's body is followed.
 
+use super::condition::Condition;
 use crate::graph::{ExprId, Role};
 
 /// A number, or numbers under the names and places that the source gives them.
@@ -7,6 +8,8 @@ use crate::graph::{ExprId, Role};
 pub enum Value {
     /// One number.
     Number(ExprId),
+    /// What an `if` decides by.
+    Truth(Condition),
     /// `(a, b)`
     Tuple(Vec<Value>),
     /// `[a, b]`
@@ -36,6 +39,7 @@ impl Value {
     pub fn description(&self) -> &'static str {
         match self {
             Self::Number(_) => "a number",
+            Self::Truth(_) => "a condition",
             Self::Tuple(_) => "a tuple",
             Self::Array(_) => "an array",
             Self::Struct { .. } => "a struct",
@@ -47,6 +51,7 @@ impl Value {
     pub fn way_to_a_number(&self) -> &'static str {
         match self {
             Self::Number(_) => "it is used by its name alone",
+            Self::Truth(_) => "choose by it: `if … { a } else { b }`",
             Self::Tuple(_) => "take a part of it: `.0`",
             Self::Array(_) => "take an element of it: `[0]`",
             Self::Struct { .. } | Self::Parameter { .. } => "take a field of it: `.name`",
@@ -103,14 +108,14 @@ impl Value {
                 .iter()
                 .flat_map(|(name, value)| prefixed(format!(".{name}"), value))
                 .collect(),
-            Self::Parameter { .. } => Vec::new(),
+            Self::Truth(_) | Self::Parameter { .. } => Vec::new(),
         }
     }
 
     /// The parameter of a struct type that the value is or holds as a whole, which no literal gives the fields of.
     pub fn whole_parameter(&self) -> Option<&str> {
         match self {
-            Self::Number(_) => None,
+            Self::Number(_) | Self::Truth(_) => None,
             Self::Tuple(values) | Self::Array(values) => {
                 values.iter().find_map(Self::whole_parameter)
             }
@@ -144,7 +149,7 @@ impl Value {
                     .map(|(field, value)| (field.clone(), value.with_numbers(numbers)))
                     .collect(),
             },
-            Self::Parameter { .. } => self.clone(),
+            Self::Truth(_) | Self::Parameter { .. } => self.clone(),
         }
     }
 }

@@ -111,9 +111,10 @@ impl Bounded {
         }
     }
 
-    /// Where `a = b`, one, else the other: generated code compares an extreme with what it may be, so that it is one of them.
-    pub fn choose(a: Self, b: Self, first: Self, second: Self) -> Self {
-        if a.value == b.value { first } else { second }
+    /// One where a comparison holds, else the other: generated code compares an extreme with what it may be, so that it is one
+    /// of them.
+    pub fn choose(holds: bool, first: Self, second: Self) -> Self {
+        if holds { first } else { second }
     }
 
     /// An elementary function by its name as a method of `f64`.
@@ -156,7 +157,12 @@ impl Bounded {
                 value: x.value.max(y.value),
                 error: x.error.max(y.error),
             },
-            _ => return None,
+            // Of others the value is known, and no bound.
+            _ => {
+                let row = Function::called().find(|row| row.method == name)?;
+                let values: Vec<f64> = operands.iter().map(|operand| operand.value).collect();
+                Self::unknown(f64::apply(row.function, &values))
+            }
         })
     }
 }
@@ -184,19 +190,13 @@ impl Number for Bounded {
 
     fn apply(function: Function, operands: &[Self]) -> Self {
         let name = match (function, operands) {
-            (Function::Select, [a, b, x, y]) => return Self::choose(*a, *b, *x, *y),
-            (Function::Sqrt, _) => "sqrt",
-            (Function::Sin, _) => "sin",
-            (Function::Cos, _) => "cos",
-            (Function::Tan, _) => "tan",
-            (Function::Exp, _) => "exp",
-            (Function::Ln, _) => "ln",
-            (Function::Abs, _) => "abs",
-            (Function::Sign, _) => "signum",
-            (Function::Side, [x]) => return Self::exact(f64::apply(Function::Side, &[x.value])),
-            (Function::MulAdd, _) => "mul_add",
-            (Function::Min, _) => "min",
-            _ => "max",
+            (Function::Select | Function::Less | Function::AtMost, [a, b, x, y]) => {
+                return Self::choose(function.holds(&a.value, &b.value), *x, *y);
+            }
+            (Function::Side | Function::SignBit, [x]) => {
+                return Self::exact(f64::apply(function, &[x.value]));
+            }
+            _ => function.row().method,
         };
         Self::method(name, operands).unwrap_or(Self::unknown(f64::NAN))
     }

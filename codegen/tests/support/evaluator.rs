@@ -188,17 +188,38 @@ impl Source {
     }
 
     fn choice(&self, choice: &syn::ExprIf, scope: &Scope) -> Value {
-        let Expr::Binary(condition) = choice.cond.as_ref() else {
-            panic!("condition {:?}", choice.cond)
-        };
-        assert!(matches!(condition.op, BinOp::Eq(_)));
-        let (a, b) = (
-            self.number(&condition.left, scope),
-            self.number(&condition.right, scope),
-        );
+        let holds = self.condition(&choice.cond, scope);
         let first = self.block(&choice.then_branch, scope).as_number();
         let second = self.number(&choice.else_branch.as_ref().unwrap().1, scope);
-        Value::Number(Bounded::choose(a, b, first, second))
+        Value::Number(Bounded::choose(holds, first, second))
+    }
+
+    fn condition(&self, condition: &Expr, scope: &Scope) -> bool {
+        match condition {
+            Expr::Paren(inner) => self.condition(&inner.expr, scope),
+            Expr::Unary(unary) => !self.condition(&unary.expr, scope),
+            Expr::Binary(binary) => match binary.op {
+                BinOp::And(_) => {
+                    self.condition(&binary.left, scope) && self.condition(&binary.right, scope)
+                }
+                BinOp::Or(_) => {
+                    self.condition(&binary.left, scope) || self.condition(&binary.right, scope)
+                }
+                _ => {
+                    let [a, b] =
+                        [&binary.left, &binary.right].map(|side| self.number(side, scope).value);
+                    match binary.op {
+                        BinOp::Lt(_) => a < b,
+                        BinOp::Le(_) => a <= b,
+                        BinOp::Gt(_) => a > b,
+                        BinOp::Ge(_) => a >= b,
+                        BinOp::Eq(_) => a == b,
+                        _ => a != b,
+                    }
+                }
+            },
+            other => panic!("condition {other:?}"),
+        }
     }
 
     fn method(&self, call: &syn::ExprMethodCall, scope: &Scope) -> Value {

@@ -1,5 +1,7 @@
 //! Numbers of 77 digits with a bound of their error, for what a function is in truth.
 
+mod functions;
+
 use std::cell::RefCell;
 use std::collections::HashMap;
 
@@ -275,11 +277,15 @@ impl Arithmetic for HighPrecision {
     }
 
     fn constant(name: &str) -> Self {
+        if name == "EPSILON" {
+            return Self::exactly(f64::EPSILON);
+        }
         let constant = |constants: &mut Consts| match name {
             "PI" | "FRAC_PI_2" => constants.pi(DIGITS, ROUNDING),
             "E" => constants.e(DIGITS, ROUNDING),
             "LN_2" => constants.ln_2(DIGITS, ROUNDING),
             "SQRT_2" => big(2.0).sqrt(DIGITS, ROUNDING),
+            "LN_10" => constants.ln_10(DIGITS, ROUNDING),
             other => panic!("unknown constant {other}"),
         };
         let value = Self::correctly_rounded(constant, Size::ZERO);
@@ -303,6 +309,7 @@ impl Arithmetic for HighPrecision {
             },
             Unary::Signum => x.signum(),
             Unary::Recip => Self::exactly(1.0).quotient(x),
+            _ => Self::elementary(function, x),
         }
     }
 
@@ -314,6 +321,7 @@ impl Arithmetic for HighPrecision {
             Binary::Divide => x.quotient(y),
             Binary::Min => Self::by_difference(x, y, x, y),
             Binary::Max => Self::by_difference(x, y, y, x),
+            _ => Self::elementary_of_two(operation, x, y),
         }
     }
 
@@ -341,8 +349,16 @@ impl Arithmetic for HighPrecision {
         x.product(y).sum(z)
     }
 
-    fn select(_: Comparison, _: [&Self; 4]) -> Self {
-        panic!("only generated code has branches")
+    fn select(comparison: Comparison, of: [&Self; 4]) -> Self {
+        Self::selected(comparison, of)
+    }
+
+    fn beside(comparison: Comparison, of: [&Self; 4]) -> Self {
+        let [a, b, ..] = of;
+        if !a.sum(&b.negative()).is_beyond_error(1.0) {
+            return Self::unknown();
+        }
+        Self::selected(comparison, of)
     }
 
     fn chosen(larger: bool, [u, v, x, y]: [&Self; 4]) -> Self {

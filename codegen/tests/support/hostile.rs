@@ -54,6 +54,8 @@ impl Random {
 const PLAIN: [&str; 12] = [
     "1.0", "2.0", "0.5", "3.0", "4.0", "0.25", "0.1", "0.3", "1.5e-1", "2f64", "7.0", "0.0",
 ];
+/// Numbers that are no literals of `f64`.
+const CAST: [&str; 3] = ["(2 as f64)", "(3_i32 as f64)", "f64::EPSILON"];
 const NAMED: [&str; 6] = ["PI", "E", "LN_2", "SQRT_2", "FRAC_PI_2", "K"];
 const HOSTILE: [&str; 17] = [
     "2305843009213693951.0",
@@ -77,6 +79,32 @@ const HOSTILE: [&str; 17] = [
 const FUNCTIONS: [&str; 10] = [
     "sqrt", "sin", "cos", "tan", "exp", "ln", "abs", "recip", "sqrt", "signum",
 ];
+const FUNCTIONS_OF_ONE: [&str; 22] = [
+    "asin",
+    "acos",
+    "atan",
+    "sinh",
+    "cosh",
+    "tanh",
+    "asinh",
+    "acosh",
+    "atanh",
+    "exp_m1",
+    "ln_1p",
+    "cbrt",
+    "log10",
+    "log2",
+    "exp2",
+    "floor",
+    "ceil",
+    "round",
+    "trunc",
+    "fract",
+    "to_radians",
+    "to_degrees",
+];
+const FUNCTIONS_OF_TWO: [&str; 5] = ["log", "atan2", "hypot", "powf", "copysign"];
+const COMPARISONS: [&str; 6] = ["<", "<=", ">", ">=", "==", "!="];
 const LARGE_POWERS: [i32; 11] = [7, 8, 10, 16, 17, 31, 64, 100, 1000, -17, -100];
 
 /// What an expression may use.
@@ -209,10 +237,11 @@ fn leaf(random: &mut Random, scope: &Scope) -> Node {
     if random.percent(75) {
         return Node::name(&random.one_of(&scope.names));
     }
-    match random.weighted(&[10, 2, 2, 3]) {
+    match random.weighted(&[10, 2, 2, 3, 1]) {
         0 => Node::literal(random.one_of(&PLAIN)),
         1 => Node::name(random.one_of(&NAMED)),
         2 => Node::literal(random.one_of(&HOSTILE)),
+        4 => Node::literal(random.one_of(&CAST)),
         _ => near_power_of_two(random),
     }
 }
@@ -232,7 +261,7 @@ fn expression(random: &mut Random, scope: &Scope, depth: usize) -> Node {
         return leaf(random, scope);
     }
     let part = |random: &mut Random| expression(random, scope, depth - 1);
-    match random.weighted(&[10, 8, 6, 1, 4, 6, 3, 2, 3, 1, 8]) {
+    match random.weighted(&[10, 8, 6, 1, 4, 6, 3, 2, 3, 1, 8, 5, 3, 4]) {
         0 => {
             let count = 2 + random.below(2);
             let minus = (0..count).map(|_| random.percent(50)).collect();
@@ -272,8 +301,48 @@ fn expression(random: &mut Random, scope: &Scope, depth: usize) -> Node {
             let result = expression(random, &inner, depth - 1);
             Node::new(Kind::Block("b".to_owned()), vec![bound, result])
         }
-        _ => disguised(random, part),
+        10 => disguised(random, part),
+        11 => {
+            let (name, parts) = (random.one_of(&FUNCTIONS_OF_ONE), vec![part(random)]);
+            function(random, name, parts)
+        }
+        12 if random.percent(15) => method("clamp", vec![part(random), part(random), part(random)]),
+        12 => {
+            let name = random.one_of(&FUNCTIONS_OF_TWO);
+            let parts = vec![part(random), part(random)];
+            function(random, name, parts)
+        }
+        _ => choice(random, part),
     }
+}
+
+/// A call of a function as a method or by its path.
+fn function(random: &mut Random, name: &'static str, parts: Vec<Node>) -> Node {
+    if random.percent(25) {
+        return Node::new(Kind::Function(name), parts);
+    }
+    method(name, parts)
+}
+
+/// An `if`; some are between the numbers that they compare, some have two conditions.
+fn choice(random: &mut Random, part: impl Fn(&mut Random) -> Node) -> Node {
+    let comparison = random.one_of(&COMPARISONS);
+    let (a, b) = (part(random), part(random));
+    if random.percent(20) {
+        let mut taken = vec![a.clone(), b.clone()];
+        if random.percent(50) {
+            taken.reverse();
+        }
+        let parts = [a, b].into_iter().chain(taken).collect();
+        return Node::new(Kind::If(comparison, None), parts);
+    }
+    let (x, y) = (part(random), part(random));
+    if random.percent(30) {
+        let joined = (random.one_of(&["&&", "||"]), random.one_of(&COMPARISONS));
+        let parts = vec![a, b, part(random), part(random), x, y];
+        return Node::new(Kind::If(comparison, Some(joined)), parts);
+    }
+    Node::new(Kind::If(comparison, None), vec![a, b, x, y])
 }
 
 fn call(random: &mut Random, scope: &Scope, depth: usize) -> Node {

@@ -3,6 +3,7 @@
 
 mod arithmetic;
 mod exact;
+pub mod functions;
 
 use exact::{exact_product, exact_quotient, exact_root, exact_sum, lowered, raised};
 
@@ -124,20 +125,15 @@ impl<const ROUGH: bool> Interval<ROUGH> {
 
     fn from_ends(
         value: f64,
-        operands: [Self; 2],
         ends: &[(f64, f64)],
         operation: impl Fn(f64, f64) -> (f64, bool),
     ) -> Self {
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
         for (a, b) in ends {
             let (end, exact) = operation(*a, *b);
+            // What is no number though its operands are, such as 0·∞, may be one in another form.
             if end.is_nan() {
-                let certain = operands.iter().all(|operand| operand.is_point());
-                return if certain {
-                    Self::exactly(f64::NAN)
-                } else {
-                    Self::unknown(value)
-                };
+                return Self::unknown(value);
             }
             let exact = exact && (!ROUGH || end == 0.0 || end.is_infinite());
             low = low.min(if exact { end } else { end.next_down() });
@@ -152,7 +148,7 @@ impl<const ROUGH: bool> Interval<ROUGH> {
             let ends = [(self.low, other.low), (self.high, other.high)];
             Self {
                 signless: value == 0.0 && (self.value != 0.0 || self.signless || other.signless),
-                ..Self::from_ends(value, [self, other], &ends, exact_sum)
+                ..Self::from_ends(value, &ends, exact_sum)
             }
         })
     }
@@ -161,7 +157,7 @@ impl<const ROUGH: bool> Interval<ROUGH> {
         let value = self.value * other.value;
         Self::inherited(value, &[self, other]).unwrap_or_else(|| Self {
             signless: value == 0.0 && (self.signless || other.signless),
-            ..Self::from_ends(value, [self, other], &corners(self, other), exact_product)
+            ..Self::from_ends(value, &corners(self, other), exact_product)
         })
     }
 
@@ -173,14 +169,14 @@ impl<const ROUGH: bool> Interval<ROUGH> {
         if other.holds_zero() {
             return match (other.is_point(), self.is_point()) {
                 _ if other.signless => Self::unknown(value),
-                (true, true) => Self::exactly(value),
+                (true, true) if !value.is_nan() => Self::exactly(value),
                 (true, false) if !self.holds_zero() => Self::exactly(value),
                 _ => Self::unknown(value),
             };
         }
         Self {
             signless: value == 0.0 && self.signless,
-            ..Self::from_ends(value, [self, other], &corners(self, other), exact_quotient)
+            ..Self::from_ends(value, &corners(self, other), exact_quotient)
         }
     }
 
@@ -194,7 +190,7 @@ impl<const ROUGH: bool> Interval<ROUGH> {
                 return Self::unknown(value);
             }
             let ends = [(self.low, 0.0), (self.high, 0.0)];
-            Self::from_ends(value, [self, self], &ends, |x, _| exact_root(x))
+            Self::from_ends(value, &ends, |x, _| exact_root(x))
         })
     }
 
@@ -259,6 +255,10 @@ impl<const ROUGH: bool> Interval<ROUGH> {
 
     fn signum(self) -> Self {
         let value = self.value.signum();
+        // Derivatives have a side of zero in its place, also of what is no number.
+        if self.knowledge == Knowledge::NoNumber {
+            return Self::unknown(value);
+        }
         Self::inherited(value, &[self]).unwrap_or_else(|| {
             if self.holds_zero() {
                 return Self::between(value, -1.0, 1.0);

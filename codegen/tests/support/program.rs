@@ -16,6 +16,11 @@ pub enum Kind {
     /// A method on the first part, with the others as its arguments.
     Method(&'static str),
     Power(i32),
+    /// A method as a function, `f64::atan2(a, b)`.
+    Function(&'static str),
+    /// The last part but one where its condition holds, else the last; a condition compares two parts, and may be joined with
+    /// another that does.
+    If(&'static str, Option<(&'static str, &'static str)>),
     /// A helper on two numbers, or its partial of that name.
     Call(usize, Option<String>),
     /// A block that binds its first part and gives its second.
@@ -66,7 +71,7 @@ impl Node {
         // An operand in parentheses, unless it needs none.
         let tight = |position: usize| match self.parts[position].kind {
             Kind::Name(_) | Kind::Literal(_) => part(position),
-            Kind::Method(_) | Kind::Power(_) | Kind::Call(..) => part(position),
+            Kind::Method(_) | Kind::Power(_) | Kind::Call(..) | Kind::Function(_) => part(position),
             _ => format!("({})", part(position)),
         };
         match &self.kind {
@@ -85,6 +90,26 @@ impl Node {
             Kind::Method(name) => {
                 let arguments: Vec<String> = (1..self.parts.len()).map(part).collect();
                 format!("{}.{name}({})", tight(0), arguments.join(", "))
+            }
+            Kind::Function(name) => {
+                let arguments: Vec<String> = (0..self.parts.len()).map(part).collect();
+                format!("f64::{name}({})", arguments.join(", "))
+            }
+            Kind::If(comparison, joined) => {
+                let compared = |first: usize, comparison: &str| {
+                    format!("{} {comparison} {}", tight(first), tight(first + 1))
+                };
+                let mut condition = compared(0, comparison);
+                let mut taken = 2;
+                if let Some((join, comparison)) = joined {
+                    condition += &format!(" {join} {}", compared(2, comparison));
+                    taken = 4;
+                }
+                format!(
+                    "if {condition} {{ {} }} else {{ {} }}",
+                    part(taken),
+                    part(taken + 1)
+                )
             }
             Kind::Power(exponent) => format!("{}.powi({exponent})", tight(0)),
             Kind::Call(helper, partial) => {

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 
 use syn::{BinOp, Expr, Item, ItemFn, Lit, Member, Pat, Stmt, Type, UnOp};
 
-use names::{function, operation};
+use names::{comparison, function, function_of_two, operation};
 
 use super::derivative::derivative;
 use super::tape::{Binary, Comparison, Place, Step, Tape, Unary};
@@ -232,6 +232,13 @@ impl Recorder {
                 Value::Number(tape.binary(operation(&binary.op), left, right))
             }
             Expr::If(choice) => self.choice(choice, scope, tape),
+            Expr::Cast(cast) => match cast.expr.as_ref() {
+                Expr::Lit(syn::ExprLit {
+                    lit: Lit::Int(whole),
+                    ..
+                }) => Value::Number(tape.literal(whole.base10_digits())),
+                other => panic!("cast of {other:?}"),
+            },
             Expr::MethodCall(call) => self.method(call, scope, tape),
             Expr::Call(call) => self.function_call(call, scope, tape),
             Expr::Field(field) => member(self.expression(&field.base, scope, tape), &field.member),
@@ -274,44 +281,50 @@ impl Recorder {
     }
 
     fn choice(&self, choice: &syn::ExprIf, scope: &Scope, tape: &mut Tape) -> Value {
-        let Expr::Binary(condition) = choice.cond.as_ref() else {
-            panic!("condition {:?}", choice.cond)
-        };
-        let comparison = match condition.op {
-            BinOp::Le(_) => Comparison::AtMost,
-            BinOp::Lt(_) => Comparison::Less,
-            BinOp::Eq(_) => Comparison::Equal,
-            BinOp::Ge(_) => Comparison::AtLeast,
-            BinOp::Gt(_) => Comparison::Greater,
-            other => panic!("comparison {other:?}"),
-        };
-        let a = self.number(&condition.left, scope, tape);
-        let b = self.number(&condition.right, scope, tape);
         let first = self.block(&choice.then_branch, scope, tape).as_number();
         let second = self.number(&choice.else_branch.as_ref().unwrap().1, scope, tape);
-        Value::Number(tape.push(Step::Select(comparison, [a, b, first, second])))
+        Value::Number(self.select(&choice.cond, [first, second], scope, tape))
+    }
+
+    /// The first of two where a condition holds, else the second.
+    fn select(
+        &self,
+        condition: &Expr,
+        [first, second]: [Place; 2],
+        scope: &Scope,
+        tape: &mut Tape,
+    ) -> Place {
+        match condition {
+            Expr::Paren(inner) => self.select(&inner.expr, [first, second], scope, tape),
+            Expr::Unary(unary) => self.select(&unary.expr, [second, first], scope, tape),
+            Expr::Binary(binary) => match binary.op {
+                BinOp::And(_) => {
+                    let inner = self.select(&binary.right, [first, second], scope, tape);
+                    self.select(&binary.left, [inner, second], scope, tape)
+                }
+                BinOp::Or(_) => {
+                    let inner = self.select(&binary.right, [first, second], scope, tape);
+                    self.select(&binary.left, [first, inner], scope, tape)
+                }
+                _ => {
+                    let [a, b] =
+                        [&binary.left, &binary.right].map(|side| self.number(side, scope, tape));
+                    match comparison(&binary.op) {
+                        Some(comparison) => {
+                            tape.push(Step::Select(comparison, [a, b, first, second]))
+                        }
+                        None => tape.push(Step::Select(Comparison::Equal, [a, b, second, first])),
+                    }
+                }
+            },
+            other => panic!("condition {other:?}"),
+        }
     }
 
     fn method(&self, call: &syn::ExprMethodCall, scope: &Scope, tape: &mut Tape) -> Value {
         let x = self.number(&call.receiver, scope, tape);
         let arguments = self.all(&call.args, scope, tape);
-        let name = call.method.to_string();
-        Value::Number(match (name.as_str(), arguments.as_slice()) {
-            // Only of 1, for the side of zero on which a number with zero added is.
-            ("copysign", [Value::Number(of)]) => {
-                let zero = tape.literal("0.0");
-                let minus_one = tape.literal("-1.0");
-                tape.push(Step::Select(Comparison::Less, [*of, zero, minus_one, x]))
-            }
-            ("powi", [Value::Whole(exponent)]) => {
-                tape.push(Step::Power(x, i32::try_from(*exponent).unwrap()))
-            }
-            ("min", [y]) => tape.binary(Binary::Min, x, y.as_number()),
-            ("max", [y]) => tape.binary(Binary::Max, x, y.as_number()),
-            ("mul_add", [y, z]) => tape.push(Step::MulAdd(x, y.as_number(), z.as_number())),
-            (_, []) => tape.unary(function(&name), x),
-            other => panic!("method {other:?}"),
-        })
+        method_of(&call.method.to_string(), x, &arguments, tape)
     }
 
     fn function_call(&self, call: &syn::ExprCall, scope: &Scope, tape: &mut Tape) -> Value {
@@ -327,6 +340,7 @@ impl Recorder {
                 Value::Number(tape.push(Step::Bits(u64::try_from(*bits).unwrap())))
             }
             (["f64", "from"], [x]) => x.clone(),
+            (["f64", name], [x, rest @ ..]) => method_of(name, x.as_number(), rest, tape),
             (["lanes", name], [x]) => Value::Number(tape.unary(function(name), x.as_number())),
             ([name], _) => self.call(name, &arguments, tape),
             ([name, partial], _) => self.partial(name, partial, &arguments, tape),
@@ -346,6 +360,49 @@ impl Recorder {
         }
         Value::Number(tape.push(Step::Constant(name)))
     }
+}
+
+/// A method of a number, those that stand for several operations as these.
+fn method_of(name: &str, x: Place, arguments: &[Value], tape: &mut Tape) -> Value {
+    let mut in_half_turns = |above: &str, below: &str| {
+        let [above, below] = [above, below].map(|name| match name {
+            "PI" => tape.push(Step::Constant(name.to_owned())),
+            digits => tape.literal(digits),
+        });
+        let scale = tape.binary(Binary::Divide, above, below);
+        tape.binary(Binary::Multiply, x, scale)
+    };
+    Value::Number(match (name, arguments) {
+        ("powi", [Value::Whole(exponent)]) => {
+            tape.push(Step::Power(x, i32::try_from(*exponent).unwrap()))
+        }
+        ("mul_add", [y, z]) => tape.push(Step::MulAdd(x, y.as_number(), z.as_number())),
+        ("clamp", [low, high]) => {
+            let (low, high) = (low.as_number(), high.as_number());
+            let raised = tape.push(Step::Select(Comparison::Less, [x, low, low, x]));
+            tape.push(Step::Select(
+                Comparison::Greater,
+                [raised, high, high, raised],
+            ))
+        }
+        ("fract", []) => {
+            let whole = tape.unary(Unary::Trunc, x);
+            tape.binary(Binary::Subtract, x, whole)
+        }
+        ("to_radians", []) => in_half_turns("PI", "180.0"),
+        ("to_degrees", []) => in_half_turns("180.0", "PI"),
+        ("log", [base]) => {
+            let [above, below] = [x, base.as_number()].map(|of| tape.unary(Unary::Ln, of));
+            tape.binary(Binary::Divide, above, below)
+        }
+        ("sin_cos", []) => {
+            let both = [Unary::Sin, Unary::Cos].map(|function| tape.unary(function, x));
+            return Value::List(both.map(Value::Number).to_vec());
+        }
+        (_, [y]) => tape.binary(function_of_two(name).unwrap(), x, y.as_number()),
+        (_, []) => tape.unary(function(name), x),
+        other => panic!("method {other:?}"),
+    })
 }
 
 fn parameters(function: &ItemFn) -> Vec<(&Pat, &Type)> {

@@ -19,6 +19,25 @@ pub enum Unary {
     Abs,
     Signum,
     Recip,
+    Asin,
+    Acos,
+    Atan,
+    Sinh,
+    Cosh,
+    Tanh,
+    Asinh,
+    Acosh,
+    Atanh,
+    ExpM1,
+    Ln1p,
+    Cbrt,
+    Log10,
+    Log2,
+    Exp2,
+    Floor,
+    Ceil,
+    Round,
+    Trunc,
 }
 
 /// The operations on two numbers.
@@ -30,6 +49,12 @@ pub enum Binary {
     Divide,
     Min,
     Max,
+    Atan2,
+    Hypot,
+    Powf,
+    Copysign,
+    /// x/(x² + y²), the slope of an angle.
+    OverSquares,
 }
 
 /// How two numbers are compared.
@@ -72,6 +97,8 @@ pub enum Step {
     MulAdd(Place, Place, Place),
     /// The third where the comparison of the first two holds, else the fourth.
     Select(Comparison, [Place; 4]),
+    /// The same, but where the first two are equal it is either: the derivative of an `if` between the numbers that it compares.
+    Beside(Comparison, [Place; 4]),
     /// The third where the smaller (or the larger) of the first two is the first, else the fourth: the derivative of the
     /// smaller and the larger of two. Of equals the smaller is the first, the larger the second; a NaN is neither.
     Chosen {
@@ -91,6 +118,8 @@ pub trait Arithmetic: Clone {
     fn mul_add(x: &Self, y: &Self, z: &Self) -> Self;
     /// The third where the comparison holds for the first two, else the fourth.
     fn select(comparison: Comparison, of: [&Self; 4]) -> Self;
+    /// The same, but of equals either.
+    fn beside(comparison: Comparison, of: [&Self; 4]) -> Self;
     /// See [`Step::Chosen`].
     fn chosen(larger: bool, of: [&Self; 4]) -> Self;
 }
@@ -131,7 +160,7 @@ impl Tape {
             Step::Unary(_, x) | Step::Power(x, _) => vec![*x],
             Step::Binary(_, x, y) => vec![*x, *y],
             Step::MulAdd(x, y, z) => vec![*x, *y, *z],
-            Step::Select(_, of) | Step::Chosen { of, .. } => of.to_vec(),
+            Step::Select(_, of) | Step::Beside(_, of) | Step::Chosen { of, .. } => of.to_vec(),
         }
     }
 
@@ -169,6 +198,9 @@ impl Tape {
                 Step::MulAdd(x, y, z) => Some(Step::MulAdd(image(x), image(y), image(z))),
                 Step::Select(comparison, of) => {
                     Some(Step::Select(*comparison, of.map(|place| image(&place))))
+                }
+                Step::Beside(comparison, of) => {
+                    Some(Step::Beside(*comparison, of.map(|place| image(&place))))
                 }
                 Step::Chosen { larger, of } => Some(Step::Chosen {
                     larger: *larger,
@@ -212,6 +244,7 @@ fn evaluate_step<N: Arithmetic>(step: &Step, values: &[N], inputs: &[N]) -> N {
         Step::Power(x, exponent) => N::power(&values[*x], *exponent),
         Step::MulAdd(x, y, z) => N::mul_add(&values[*x], &values[*y], &values[*z]),
         Step::Select(comparison, of) => N::select(*comparison, of.map(|place| &values[place])),
+        Step::Beside(comparison, of) => N::beside(*comparison, of.map(|place| &values[place])),
         Step::Chosen { larger, of } => N::chosen(*larger, of.map(|place| &values[place])),
     }
 }
@@ -224,6 +257,8 @@ pub fn constant_value(name: &str) -> f64 {
         "SQRT_2" => std::f64::consts::SQRT_2,
         "E" => std::f64::consts::E,
         "LN_2" => std::f64::consts::LN_2,
+        "LN_10" => std::f64::consts::LN_10,
+        "EPSILON" => f64::EPSILON,
         other => panic!("unknown constant {other}"),
     }
 }
@@ -258,6 +293,25 @@ impl Arithmetic for f64 {
             Unary::Abs => x.abs(),
             Unary::Signum => x.signum(),
             Unary::Recip => x.recip(),
+            Unary::Asin => x.asin(),
+            Unary::Acos => x.acos(),
+            Unary::Atan => x.atan(),
+            Unary::Sinh => x.sinh(),
+            Unary::Cosh => x.cosh(),
+            Unary::Tanh => x.tanh(),
+            Unary::Asinh => x.asinh(),
+            Unary::Acosh => x.acosh(),
+            Unary::Atanh => x.atanh(),
+            Unary::ExpM1 => x.exp_m1(),
+            Unary::Ln1p => x.ln_1p(),
+            Unary::Cbrt => x.cbrt(),
+            Unary::Log10 => x.log10(),
+            Unary::Log2 => x.log2(),
+            Unary::Exp2 => x.exp2(),
+            Unary::Floor => x.floor(),
+            Unary::Ceil => x.ceil(),
+            Unary::Round => x.round(),
+            Unary::Trunc => x.trunc(),
         }
     }
 
@@ -269,6 +323,14 @@ impl Arithmetic for f64 {
             Binary::Divide => x / y,
             Binary::Min => x.min(*y),
             Binary::Max => x.max(*y),
+            Binary::Atan2 => x.atan2(*y),
+            Binary::Hypot => x.hypot(*y),
+            Binary::Powf => x.powf(*y),
+            Binary::Copysign => x.copysign(*y),
+            Binary::OverSquares => {
+                let length = x.hypot(*y);
+                x / length / length
+            }
         }
     }
 
@@ -282,6 +344,10 @@ impl Arithmetic for f64 {
 
     fn select(comparison: Comparison, [a, b, x, y]: [&Self; 4]) -> Self {
         if comparison.holds(*a, *b) { *x } else { *y }
+    }
+
+    fn beside(comparison: Comparison, of: [&Self; 4]) -> Self {
+        Self::select(comparison, of)
     }
 
     fn chosen(larger: bool, [u, v, x, y]: [&Self; 4]) -> Self {

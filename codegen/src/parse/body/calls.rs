@@ -9,6 +9,7 @@ use syn::{Expr, Ident, Pat};
 use super::{Reader, Scope};
 use crate::diagnostics::{Diagnostics, nearest};
 use crate::graph::Role;
+use crate::parse::known_methods;
 use crate::parse::module::{Function, ParameterKind};
 use crate::parse::names::{Callee, Kind, Miss, names_of};
 use crate::parse::value::Value;
@@ -38,6 +39,13 @@ impl<'m> Reader<'m> {
             return self.integral(call, scope);
         }
         let Some((callee, form)) = module.callee(&path.path) else {
+            if let [of, method] = names_of(&path.path).as_slice()
+                && of == "f64"
+                && let Some(last) = path.path.segments.last()
+                && last.ident == method
+            {
+                return self.method_as_function(&last.ident, &call.args, call.span(), scope);
+            }
             self.report_unknown_function(&path.path);
             self.all(call.args.iter(), scope);
             return None;
@@ -84,11 +92,6 @@ impl<'m> Reader<'m> {
                 let message = format!("unknown function `{name}`");
                 (message, (name, self.module.functions_in_sight()))
             }
-            ([first, method], None) if first == "f64" => {
-                let hint = format!("write `x.{method}(…)`");
-                self.unsupported::<()>(span, "a method as a function", &hint);
-                return;
-            }
             ([name, _], None) if !matches!(name.as_str(), "super" | "crate" | "self") => {
                 let message = format!("unknown function `{name}`");
                 (message, (name, self.module.functions_in_sight()))
@@ -99,7 +102,9 @@ impl<'m> Reader<'m> {
             }
         };
         let (name, functions): (&String, Vec<String>) = known;
+        let is_method = known_methods::all().any(|(method, _)| method == name);
         let hint = match nearest(name, functions.iter().map(String::as_str)) {
+            _ if is_method => format!("it is a method: write `x.{name}(…)` or `f64::{name}(x, …)`"),
             Some(candidate) => format!("did you mean `{candidate}`?"),
             None => WHERE_FORMULAS_ARE.to_owned(),
         };

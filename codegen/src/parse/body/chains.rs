@@ -4,6 +4,8 @@
 use syn::spanned::Spanned;
 use syn::{BinOp, Expr, ExprBinary, UnOp};
 
+use super::choices::is_logical;
+use super::methods::Called;
 use super::{Reader, Scope};
 use crate::graph::{ExprId, Rational, whole};
 use crate::parse::value::Value;
@@ -14,7 +16,7 @@ fn beginning(expression: &Expr) -> Option<&Expr> {
         Expr::Paren(inner) => &inner.expr,
         Expr::Group(inner) => &inner.expr,
         Expr::Reference(inner) => &inner.expr,
-        Expr::Unary(unary) if !matches!(unary.op, UnOp::Not(_)) => &unary.expr,
+        Expr::Unary(unary) => &unary.expr,
         Expr::Binary(binary) => &binary.left,
         Expr::MethodCall(call) => &call.receiver,
         _ => return None,
@@ -79,17 +81,21 @@ impl<'m> Reader<'m> {
     /// The value of an expression that is no sum, from the value of the one that it begins with.
     fn link(&mut self, link: &Expr, value: Option<Value>, scope: &mut Scope) -> Option<Value> {
         match link {
+            Expr::Binary(binary) if is_logical(&binary.op) => self.logical(binary, value, scope),
             Expr::Binary(binary) => {
                 let left = value.and_then(|value| self.number_of(value, &binary.left));
                 self.product(binary, left, scope)
             }
             Expr::MethodCall(call) => {
                 let receiver = value.and_then(|value| self.number_of(value, &call.receiver));
-                self.method(call, receiver, scope)
+                self.method(&Called::of(call), receiver, scope)
             }
             Expr::Unary(unary) if matches!(unary.op, UnOp::Neg(_)) => {
                 let operand = self.number_of(value?, &unary.expr)?;
                 Some(Value::Number(self.graph.negate(operand)))
+            }
+            Expr::Unary(unary) if matches!(unary.op, UnOp::Not(_)) => {
+                self.negation(value?, &unary.expr)
             }
             // Parentheses, references and what is behind them.
             _ => value,
@@ -109,7 +115,7 @@ impl<'m> Reader<'m> {
                 return self.unsupported(
                     binary.op.span(),
                     "this operator",
-                    "the operators are + - * /",
+                    "the operators are + - * /, of comparisons < <= > >= == != and && ||",
                 );
             }
         };

@@ -1,89 +1,160 @@
-//! Methods of numbers: powers, roots and the elementary functions.
+//! Methods of numbers, `x.sin()` and `f64::sin(x)`: powers, roots and the elementary functions.
 
 use proc_macro2::Span;
+use syn::punctuated::Punctuated;
 use syn::spanned::Spanned;
-use syn::{Expr, Lit, UnOp};
+use syn::{Expr, Ident, Lit, Token, UnOp};
 
 use super::{Reader, Scope};
-use crate::diagnostics::nearest;
-use crate::graph::{ExprId, Function as Elementary, Node, Operands};
+use crate::graph::{ExprId, Function as Elementary, NamedConstant, Node, Operands, ratio, whole};
 use crate::interpret::node_value;
+use crate::parse::known_methods;
 use crate::parse::value::Value;
 
+/// A method that is called, but for what it is called on.
+pub(super) struct Called<'e> {
+    pub name: &'e Ident,
+    pub arguments: Vec<&'e Expr>,
+    pub span: Span,
+}
+
+impl<'e> Called<'e> {
+    pub(super) fn of(call: &'e syn::ExprMethodCall) -> Self {
+        Self {
+            name: &call.method,
+            arguments: call.args.iter().collect(),
+            span: call.span(),
+        }
+    }
+}
+
 impl<'m> Reader<'m> {
+    /// `f64::sin(x)`: the first argument is what the method is of.
+    pub(super) fn method_as_function(
+        &mut self,
+        name: &Ident,
+        arguments: &Punctuated<Expr, Token![,]>,
+        span: Span,
+        scope: &mut Scope,
+    ) -> Option<Value> {
+        let mut arguments = arguments.iter();
+        let Some(receiver) = arguments.next() else {
+            let hint = format!("write `f64::{name}(x)` or `x.{name}()`");
+            self.diagnostics
+                .error_with_hint(span, format!("`f64::{name}` takes a number"), hint);
+            return None;
+        };
+        let receiver = self.number(receiver, scope);
+        let called = Called {
+            name,
+            arguments: arguments.collect(),
+            span,
+        };
+        self.method(&called, receiver, scope)
+    }
+
     pub(super) fn method(
         &mut self,
-        call: &syn::ExprMethodCall,
+        call: &Called<'_>,
         receiver: Option<ExprId>,
         scope: &mut Scope,
     ) -> Option<Value> {
-        const METHODS: [(&str, usize); 13] = [
-            ("powi", 1),
-            ("sqrt", 0),
-            ("sin", 0),
-            ("cos", 0),
-            ("tan", 0),
-            ("exp", 0),
-            ("ln", 0),
-            ("abs", 0),
-            ("signum", 0),
-            ("recip", 0),
-            ("mul_add", 2),
-            ("min", 1),
-            ("max", 1),
-        ];
-        let name = call.method.to_string();
-        let Some((_, arity)) = METHODS.into_iter().find(|(method, _)| *method == name) else {
-            self.all(call.args.iter(), scope);
+        let name = call.name.to_string();
+        let known = known_methods::all().find(|(method, _)| *method == name);
+        let Some((_, arity)) = known else {
+            self.all(call.arguments.iter().copied(), scope);
             // What is no number may well have other methods.
             receiver?;
-            return self.unknown_method(&call.method, &METHODS.map(|(method, _)| method));
+            self.diagnostics.error_with_hint(
+                call.name.span(),
+                format!("unknown method `{name}`"),
+                known_methods::hint(&name),
+            );
+            return None;
         };
-        if call.args.len() != arity {
+        if call.arguments.len() != arity {
             if name != "powi" {
-                self.all(call.args.iter(), scope);
+                self.all(call.arguments.iter().copied(), scope);
             }
             self.diagnostics.error_with_hint(
-                call.method.span(),
+                call.name.span(),
                 format!(
                     "`{name}` takes {arity} argument{}, not {}",
                     if arity == 1 { "" } else { "s" },
-                    call.args.len()
+                    call.arguments.len()
                 ),
                 format!("write `x.{name}({})`", ["", "y", "y, z"][arity]),
             );
             return None;
         }
         if name == "powi" {
-            let exponent = self.exponent(&call.args[0]);
+            let exponent = self.exponent(call.arguments[0]);
             let power = self.graph.power(receiver?, exponent?);
-            return self.representable(power, call.span());
+            return self.representable(power, call.span);
         }
         let arguments: Vec<Option<ExprId>> = call
-            .args
+            .arguments
             .iter()
             .map(|argument| self.number(argument, scope))
             .collect();
         let arguments: Vec<ExprId> = arguments.into_iter().collect::<Option<_>>()?;
-        let result = self.apply(&name, receiver?, &arguments);
-        self.representable(result, call.span())
-    }
-
-    fn unknown_method(&mut self, method: &syn::Ident, known: &[&str]) -> Option<Value> {
-        let name = method.to_string();
-        let hint = match nearest(&name, known.iter().copied()) {
-            _ if name == "powf" => {
-                "a whole power is `powi(n)`, a root is `sqrt()`, any other is `(y * x.ln()).exp()`"
-                    .to_owned()
+        match known_methods::function(&name) {
+            Some(function) => {
+                let operands: Operands = receiver.into_iter().chain(arguments).collect();
+                receiver?;
+                Some(Value::Number(self.graph.apply(function, operands)))
             }
-            Some(method) => format!("did you mean `{method}`?"),
-            None => format!("the methods are {}", known.join(", ")),
-        };
-        self.diagnostics
-            .error_with_hint(method.span(), format!("unknown method `{name}`"), hint);
-        None
+            None => self.composed(&name, receiver?, &arguments, call.span),
+        }
     }
 
+    /// A method that stands for several operations, each as the standard library does it.
+    fn composed(
+        &mut self,
+        method: &str,
+        x: ExprId,
+        arguments: &[ExprId],
+        span: Span,
+    ) -> Option<Value> {
+        let graph = &mut self.graph;
+        let result = match (method, arguments) {
+            ("sin_cos", _) => {
+                let both = [Elementary::Sin, Elementary::Cos];
+                let both = both.map(|function| Value::Number(graph.apply(function, vec![x])));
+                return Some(Value::Tuple(both.to_vec()));
+            }
+            ("fract", _) => {
+                let whole = graph.apply(Elementary::Trunc, vec![x]);
+                graph.subtract(x, whole)
+            }
+            ("to_radians", _) => {
+                let pi = graph.constant(NamedConstant::Pi);
+                let scale = graph.scale(pi, ratio(1, 180));
+                graph.multiply(x, scale)
+            }
+            ("to_degrees", _) => {
+                let (pi, half_turn) = (graph.constant(NamedConstant::Pi), graph.number(whole(180)));
+                let scale = graph.divide(half_turn, pi);
+                graph.multiply(x, scale)
+            }
+            // As Rust has it where x is NaN; it is no panic here where the bounds are none.
+            ("clamp", [lower, upper]) => {
+                let raised = graph.apply(Elementary::Less, vec![x, *lower, *lower, x]);
+                graph.apply(Elementary::Less, vec![*upper, raised, *upper, raised])
+            }
+            ("copysign", [other]) => {
+                let size = graph.apply(Elementary::Abs, vec![x]);
+                let sign = graph.apply(Elementary::SignBit, vec![*other]);
+                graph.multiply(size, sign)
+            }
+            ("log", [base]) => {
+                let [above, below] = [x, *base].map(|of| graph.apply(Elementary::Ln, vec![of]));
+                graph.divide(above, below)
+            }
+            _ => graph.power(x, -1),
+        };
+        self.representable(result, span)
+    }
     /// A product or power, unless it is one of constants that no `f64` holds: what is gathered from it would be another
     /// number than what its author computes.
     pub(super) fn representable(&mut self, id: ExprId, span: Span) -> Option<Value> {
@@ -122,27 +193,6 @@ impl<'m> Reader<'m> {
             self.constants.push(value.flatten());
         }
         self.constants[id.index()]
-    }
-
-    fn apply(&mut self, method: &str, receiver: ExprId, arguments: &[ExprId]) -> ExprId {
-        let function = match (method, arguments) {
-            ("recip", _) => return self.graph.power(receiver, -1),
-            ("mul_add", _) => Elementary::MulAdd,
-            ("sqrt", _) => Elementary::Sqrt,
-            ("sin", _) => Elementary::Sin,
-            ("cos", _) => Elementary::Cos,
-            ("tan", _) => Elementary::Tan,
-            ("exp", _) => Elementary::Exp,
-            ("ln", _) => Elementary::Ln,
-            ("min", _) => Elementary::Min,
-            ("max", _) => Elementary::Max,
-            ("signum", _) => Elementary::Sign,
-            _ => Elementary::Abs,
-        };
-        let operands: Operands = std::iter::once(receiver)
-            .chain(arguments.iter().copied())
-            .collect();
-        self.graph.apply(function, operands)
     }
 
     fn exponent(&mut self, argument: &Expr) -> Option<i32> {

@@ -76,6 +76,7 @@ fn fits(module: &Module, ty: &Type, value: &Value) -> bool {
 fn type_of(value: &Value) -> String {
     match value {
         Value::Number(_) => "f64".to_owned(),
+        Value::Truth(_) => "bool".to_owned(),
         Value::Tuple(values) => {
             let parts: Vec<String> = values.iter().map(type_of).collect();
             format!("({})", parts.join(", "))

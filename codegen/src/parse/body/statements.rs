@@ -1,7 +1,7 @@
 //! The statements of a formula: bindings, their patterns, and the value that a block ends with.
 
 use syn::spanned::Spanned;
-use syn::{Expr, Pat, Stmt};
+use syn::{Expr, Item, Pat, Stmt, Type};
 
 use super::{Reader, Scope};
 use crate::parse::module::bound_names;
@@ -21,7 +21,7 @@ impl<'m> Reader<'m> {
         own: bool,
     ) -> Option<Value> {
         let mut ending = None;
-        let mut failed = false;
+        let mut failed = self.constants_of(block, scope).is_none();
         for statement in &block.stmts {
             if ending.is_some() && !failed {
                 let hint = "the formula ends at the expression before it";
@@ -36,6 +36,7 @@ impl<'m> Reader<'m> {
                 break;
             }
             match statement {
+                Stmt::Item(Item::Const(_)) => {}
                 Stmt::Local(local) => failed |= self.binding(local, scope).is_none(),
                 Stmt::Expr(
                     Expr::Return(syn::ExprReturn {
@@ -56,7 +57,7 @@ impl<'m> Reader<'m> {
                     self.diagnostics.error_with_hint(
                         other.span(),
                         "this statement is not a part of a formula",
-                        "a formula is `let` bindings and an expression",
+                        "a formula is `let` bindings, constants and an expression",
                     );
                     failed = true;
                 }
@@ -70,6 +71,27 @@ impl<'m> Reader<'m> {
             );
         }
         ending.flatten().filter(|_| !failed)
+    }
+
+    /// Takes the constants of a block, which all of it sees, also what stands before them.
+    fn constants_of(&mut self, block: &syn::Block, scope: &mut Scope) -> Option<()> {
+        let mut complete = Some(());
+        for statement in &block.stmts {
+            let Stmt::Item(Item::Const(constant)) = statement else {
+                continue;
+            };
+            let is_number =
+                matches!(constant.ty.as_ref(), Type::Path(path) if path.path.is_ident("f64"));
+            let value = if is_number {
+                self.number(&constant.expr, scope).map(Value::Number)
+            } else {
+                let hint = "constants of a formula are f64: `const K: f64 = 2.0;`";
+                self.unsupported(constant.ty.span(), "a constant of this type", hint)
+            };
+            complete = complete.filter(|()| value.is_some());
+            scope.insert(constant.ident.to_string(), value);
+        }
+        complete
     }
 
     fn binding(&mut self, local: &syn::Local, scope: &mut Scope) -> Option<()> {

@@ -42,7 +42,7 @@ impl<'m> Reader<'m> {
                 .ok()
                 .filter(|position| *position < values.len())
                 .map(|position| values.swap_remove(position)),
-            Value::Number(_) | Value::Array(_) => None,
+            Value::Number(_) | Value::Truth(_) | Value::Array(_) => None,
         };
         if found.is_none() {
             self.diagnostics.error_with_hint(

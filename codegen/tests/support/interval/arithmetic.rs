@@ -31,6 +31,9 @@ impl<const ROUGH: bool> Arithmetic for Interval<ROUGH> {
 
     fn constant(name: &str) -> Self {
         let value = constant_value(name);
+        if name == "EPSILON" {
+            return Self::exactly(value);
+        }
         Self::between(value, value.next_down(), value.next_up())
     }
 
@@ -46,6 +49,25 @@ impl<const ROUGH: bool> Arithmetic for Interval<ROUGH> {
             Unary::Abs => x.size(),
             Unary::Signum => x.signum(),
             Unary::Recip => Self::exactly(1.0).quotient(*x),
+            Unary::Floor => x.stepped(f64::floor),
+            Unary::Ceil => x.stepped(f64::ceil),
+            Unary::Round => x.stepped(f64::round),
+            Unary::Trunc => x.stepped(f64::trunc),
+            Unary::Asin => x.monotonic(function, f64::asin),
+            Unary::Acos => x.monotonic(function, f64::acos),
+            Unary::Atan => x.monotonic(function, f64::atan),
+            Unary::Sinh => x.monotonic(function, f64::sinh),
+            Unary::Cosh => x.monotonic(function, f64::cosh),
+            Unary::Tanh => x.monotonic(function, f64::tanh),
+            Unary::Asinh => x.monotonic(function, f64::asinh),
+            Unary::Acosh => x.monotonic(function, f64::acosh),
+            Unary::Atanh => x.monotonic(function, f64::atanh),
+            Unary::ExpM1 => x.monotonic(function, f64::exp_m1),
+            Unary::Ln1p => x.monotonic(function, f64::ln_1p),
+            Unary::Cbrt => x.monotonic(function, f64::cbrt),
+            Unary::Log10 => x.monotonic(function, f64::log10),
+            Unary::Log2 => x.monotonic(function, f64::log2),
+            Unary::Exp2 => x.monotonic(function, f64::exp2),
         }
     }
 
@@ -57,6 +79,7 @@ impl<const ROUGH: bool> Arithmetic for Interval<ROUGH> {
             Binary::Divide => x.quotient(*y),
             Binary::Min => Self::extreme(false, *x, *y),
             Binary::Max => Self::extreme(true, *x, *y),
+            _ => Self::of_two(operation, *x, *y),
         }
     }
 
@@ -73,8 +96,15 @@ impl<const ROUGH: bool> Arithmetic for Interval<ROUGH> {
         Self::between(value, bounds.low, bounds.high)
     }
 
-    fn select(_: Comparison, _: [&Self; 4]) -> Self {
-        panic!("only generated code has branches")
+    fn select(comparison: Comparison, of: [&Self; 4]) -> Self {
+        Self::selected(comparison, of.map(|one| *one))
+    }
+
+    fn beside(comparison: Comparison, [a, b, x, y]: [&Self; 4]) -> Self {
+        if a.is_bounded() && b.is_bounded() && a.low <= b.high && b.low <= a.high {
+            return x.hull(*y, x.value);
+        }
+        Self::select(comparison, [a, b, x, y])
     }
 
     fn chosen(larger: bool, [u, v, x, y]: [&Self; 4]) -> Self {
