@@ -213,7 +213,8 @@ impl Words {
 fn weight_of(method: &str) -> usize {
     match method {
         "sqrt" | "sqrt_by_multiplication" => ROOT,
-        "abs" | "min" | "max" | "signum" | "side" | "mul_add" | "select_eq" => 1,
+        "abs" | "min" | "max" | "signum" | "side" | "sign_bit" | "mul_add" | "select_eq"
+        | "select_lt" | "select_le" | "floor" | "ceil" | "trunc" => 1,
         _ => CALL,
     }
 }
