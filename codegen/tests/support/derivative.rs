@@ -184,6 +184,28 @@ fn quotient_rule(tape: &mut Tape, function: Unary, x: Place, value: Place, dx: P
     }
 }
 
+/// The derivative of 1/(x + iy) is −1/(x + iy)².
+fn of_over_squares(
+    tape: &mut Tape,
+    [x, y]: [Place; 2],
+    value: Place,
+    [dx, dy]: [Option<Place>; 2],
+) -> Option<Place> {
+    let other = tape.binary(Binary::OverSquares, y, x);
+    let first = dx.map(|dx| {
+        let [of, of_other] = [value, other].map(|part| tape.binary(Binary::Multiply, part, part));
+        let slope = tape.binary(Binary::Subtract, of_other, of);
+        tape.binary(Binary::Multiply, slope, dx)
+    });
+    let second = dy.map(|dy| {
+        let minus_two = tape.literal("-2.0");
+        let both = tape.binary(Binary::Multiply, value, other);
+        let slope = tape.binary(Binary::Multiply, minus_two, both);
+        tape.binary(Binary::Multiply, slope, dy)
+    });
+    sum(tape, first, second)
+}
+
 /// The derivatives of functions of two numbers.
 fn of_two(
     tape: &mut Tape,
@@ -215,23 +237,7 @@ fn of_two(
             });
             sum(tape, first, second)
         }
-        // The derivative of 1/(x + iy) is −1/(x + iy)².
-        Binary::OverSquares => {
-            let other = tape.binary(Binary::OverSquares, y, x);
-            let first = dx.map(|dx| {
-                let [of, of_other] =
-                    [value, other].map(|part| tape.binary(Binary::Multiply, part, part));
-                let slope = tape.binary(Binary::Subtract, of_other, of);
-                tape.binary(Binary::Multiply, slope, dx)
-            });
-            let second = dy.map(|dy| {
-                let minus_two = tape.literal("-2.0");
-                let both = tape.binary(Binary::Multiply, value, other);
-                let slope = tape.binary(Binary::Multiply, minus_two, both);
-                tape.binary(Binary::Multiply, slope, dy)
-            });
-            sum(tape, first, second)
-        }
+        Binary::OverSquares => of_over_squares(tape, [x, y], value, [dx, dy]),
         Binary::Powf => {
             let first = dx.map(|dx| {
                 let one = tape.literal("1.0");
