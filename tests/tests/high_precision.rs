@@ -77,6 +77,8 @@ impl Number for Precise {
 
     fn constant(constant: NamedConstant) -> Self {
         with_constants(|constants| match constant {
+            // No formula of the rotor has it, nor does the library of many digits.
+            NamedConstant::EulerGamma => panic!("{constant:?}"),
             NamedConstant::Pi => constants.pi(DIGITS, ROUNDING),
             NamedConstant::E => constants.e(DIGITS, ROUNDING),
             NamedConstant::Ln2 => constants.ln_2(DIGITS, ROUNDING),
