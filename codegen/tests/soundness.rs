@@ -253,3 +253,15 @@ fn methods_are_as_many_as_they_are() {
     let text = expanded(module_of(&format!("x{}", ".abs().sqrt()".repeat(1000))));
     assert!(!text.contains("compile_error") && text.contains("pub fn value"));
 }
+
+#[test]
+fn a_maximum_leaves_out_what_is_no_number_of_a_product_with_0() {
+    // 0·√x and 0·x are NaN at x = −1 and at infinity, and Rust's `max` and `min` give the other number there.
+    let larger = of_two("(0.0 * x.sqrt()).max(y)");
+    assert_eq!(at(&larger, Form::Value, &[-1.0, -2.0]), [-2.0]);
+    assert_eq!(at(&larger, Form::Value, &[4.0, -2.0]), [0.0]);
+    let smaller = of_one("(x * 0.0).min(1.0) + 1.0");
+    assert_eq!(at(&smaller, Form::Value, &[f64::INFINITY]), [2.0]);
+    // Where nothing chooses, the product is 0: the author's is 0 or NaN.
+    assert_eq!(at(&of_two("0.0 * x + y"), Form::Value, &[3.0, 5.0]), [5.0]);
+}

@@ -155,6 +155,17 @@ impl Graph {
         self.written_sum([(product.unwrap_or(one), sign)])
     }
 
+    /// A product of two that the author wrote. One with 0 is an operation like others: it is NaN where the other factor is
+    /// infinite or NaN, and `min` and `max` take that for nothing.
+    pub fn multiply_as_written(&mut self, left: ExprId, right: ExprId) -> ExprId {
+        let numbers = [left, right].map(|id| self.as_number(id));
+        let is_zero = |number: &Option<&Rational>| number.is_some_and(Rational::is_zero);
+        if self.is_as_written && numbers.iter().any(is_zero) && numbers.contains(&None) {
+            return self.intern(Node::Product(Factors::from_slice(&[(left, 1), (right, 1)])));
+        }
+        self.multiply(left, right)
+    }
+
     fn finish_sum(&mut self, terms: Terms) -> ExprId {
         match terms.as_slice() {
             [] => self.number(Rational::ZERO),

@@ -122,7 +122,7 @@ impl<'m> Reader<'m> {
         let right = self.number(&binary.right, scope);
         let (left, right) = (left?, right?);
         let result = if multiplies {
-            self.graph.multiply(left, right)
+            self.graph.multiply_as_written(left, right)
         } else {
             self.graph.divide(left, right)
         };
