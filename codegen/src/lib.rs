@@ -191,7 +191,8 @@
 //!   negative `x` the one by `y` is NaN. At a base of 0 second derivatives by the exponent are those of these cases.
 //! - **Lengths.** Derivatives of `hypot` and `atan2` stay in the range of numbers where squares do not; at the origin they are
 //!   NaN, where there are none. Second derivatives of `hypot` by one of its numbers lose digits where the other is much smaller.
-//! - **Signs of zero and NaN.** A form may be 0 where the author's is −0, and finite where the author's is NaN: x − x is 0.
+//! - **Signs of zero and NaN.** A form may be 0 where the author's is −0, and finite where the author's is NaN: x − x and 0·x
+//!   are 0, unless a `min` or `max` takes them.
 //!   What jumps with the sign of a computed zero, `copysign`, `signum`, and `atan2` on the negative axis, may be on the other side.
 //! - **Size.** Calls may be nested 256 deep, groups of tokens 128 deep; a chain of operators or methods may be of any length.
 //!   Searches stop at a stated number of looks ([`budget`]); of more than 2,000 operations one form in one order of extraction is

@@ -10,7 +10,6 @@ use std::ops::Range;
 
 use fearless_simd::Simd;
 
-use crate::kernel::Kernel;
 use crate::pack::Pack;
 
 /// How many packs go through a part before the next part begins: as many as hide the ends of its loop. What a body of 250
@@ -117,32 +116,6 @@ impl<S: Simd> Groups<S> {
             simd: PhantomData,
         })
     }
-}
-
-/// Evaluates one pack of a kernel whose body is in parts.
-#[inline(always)]
-pub fn one_pack<K, S, const FIXED: usize, const ALONG: usize, const RESULTS: usize>(
-    simd: S,
-    fixed: [Pack<S>; FIXED],
-    along: &[Pack<S>; ALONG],
-) -> [Pack<S>; RESULTS]
-where
-    K: Kernel<FIXED, ALONG, RESULTS>,
-    S: Simd,
-{
-    let mut columns = [&[][..]; ALONG];
-    for (column, pack) in columns.iter_mut().zip(along) {
-        *column = pack.as_slice();
-    }
-    let mut found = [Pack::splat(simd, f64::NAN); RESULTS];
-    K::for_each_pack(
-        simd,
-        fixed,
-        columns,
-        #[inline(always)]
-        |_, results| found = results,
-    );
-    found
 }
 
 #[cfg(test)]

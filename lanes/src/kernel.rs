@@ -24,7 +24,8 @@ pub trait Kernel<const FIXED: usize, const ALONG: usize, const RESULTS: usize> {
     ) -> [Pack<S>; RESULTS];
 
     /// Computes the results of pack after pack of columns, which have one length, a multiple of a pack's; `take` gets the first
-    /// row of each pack and its results. A long body does it in parts, see [`Groups`](crate::Groups).
+    /// row of each pack and its results, those of [`evaluate`](Self::evaluate). A long body does it in parts, see
+    /// [`Groups`](crate::Groups).
     #[inline(always)]
     fn for_each_pack<S: Simd>(
         simd: S,

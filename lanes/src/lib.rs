@@ -50,7 +50,7 @@ mod trigonometry;
 
 pub use fearless_simd::Simd;
 pub use fold::{Consumer, fold};
-pub use group::{GROUP, Group, Groups, Kept, one_pack};
+pub use group::{GROUP, Group, Groups, Kept};
 pub use kernel::{ALL, ColumnLengthError, Kernel, LONGEST, LengthError, once, rows, store};
 pub use level::{Level, UnknownLevel};
 pub use pack::Pack;

@@ -153,24 +153,25 @@ pub fn kernel(
     let counts = [fixed.len(), along.len(), body.outputs.len()].map(literal);
     let [fixed_count, along_count, results] = &counts;
     let (fixed, along) = locals.split_at(fixed.len());
+    let one_pack = one_pack(&body, [fixed, along], &counts);
+    // One row alone is computed whole.
     let parts = parts::of(&body, along);
-    let methods = if parts.len() == 1 {
-        whole(&body, [fixed, along], &counts)
-    } else {
-        grouped::methods(&body, &parts, [fixed, along], &counts)
-    };
+    let columns =
+        (parts.len() > 1).then(|| grouped::over_columns(&body, &parts, [fixed, along], &counts));
     quote! {
         #[derive(Clone, Copy, Debug)]
         pub struct #name;
 
         impl ::lanes::Kernel<#fixed_count, #along_count, #results> for #name {
-            #methods
+            #one_pack
+
+            #columns
         }
     }
 }
 
 /// The body of a kernel for one pack.
-fn whole(body: &Body, [fixed, along]: [&[Ident]; 2], counts: &[Literal; 3]) -> TokenStream {
+fn one_pack(body: &Body, [fixed, along]: [&[Ident]; 2], counts: &[Literal; 3]) -> TokenStream {
     let [fixed_count, along_count, results] = counts;
     let opened = opened([(fixed, "fixed"), (along, "along")]);
     let (statements, outputs) = (&body.statements, &body.outputs);

@@ -9,8 +9,8 @@ use super::columns::{literal, opened};
 use super::expression::Body;
 use super::parts::Part;
 
-/// The methods of a kernel in parts, each of which goes over a group of packs.
-pub(super) fn methods(
+/// The method of a kernel that goes over columns in parts, each of which goes over a group of packs.
+pub(super) fn over_columns(
     body: &Body,
     parts: &[Part],
     [fixed, along]: [&[Ident]; 2],
@@ -30,15 +30,6 @@ pub(super) fn methods(
         parts.len()
     );
     quote! {
-        #[inline(always)]
-        fn evaluate<S: ::lanes::Simd>(
-            simd: S,
-            fixed: [::lanes::Pack<S>; #fixed_count],
-            along: [::lanes::Pack<S>; #along_count],
-        ) -> [::lanes::Pack<S>; #results] {
-            ::lanes::one_pack::<Self, S, #fixed_count, #along_count, #results>(simd, fixed, &along)
-        }
-
         #[doc = #doc]
         #[inline(always)]
         fn for_each_pack<S: ::lanes::Simd>(
