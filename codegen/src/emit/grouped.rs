@@ -93,9 +93,10 @@ struct Places {
 }
 
 impl Places {
-    /// The place of a number that is kept.
+    /// The place of a number that is kept. Of one that is not, which were a mistake of the cuts, it is a place that no array has:
+    /// the compiler refuses that, where another place would be another number.
     fn of(&self, name: &str) -> usize {
-        self.taken.get(name).copied().unwrap_or_default()
+        self.taken.get(name).copied().unwrap_or(usize::MAX)
     }
 
     /// Takes a place for a number.
