@@ -180,7 +180,8 @@
 //! - **Corners.** At a corner, the tie of `min` and `max` and the 0 of `abs`, the derivative is that of the side on which the
 //!   first of the variables derived by is a little larger ([`differentiate::corners`]). All corners of a formula are seen from
 //!   the same side, so that where they cancel (the softplus, x·|x|, max(x, 0) − max(−x, 0)) the derivative is the true one.
-//!   Where one of two is NaN, `min` and `max` and their derivatives are those of the other, as in Rust.
+//!   Where one of two is NaN, `min` and `max` and their derivatives are those of the other, as in Rust; where both are, the
+//!   derivative may be that of either.
 //! - **Choices.** The derivative of an `if` is that of the branch that is taken, also where its condition just holds; an `if`
 //!   between the two numbers that it compares is their `min` or `max` with the corner of that, and so is `clamp`. Where rounding
 //!   decides a condition, a generated form may take the other branch. `clamp` does not panic: where its bounds are none it gives
@@ -192,7 +193,7 @@
 //! - **Lengths.** Derivatives of `hypot` and `atan2` stay in the range of numbers where squares do not; at the origin they are
 //!   NaN, where there are none. Second derivatives of `hypot` by one of its numbers lose digits where the other is much smaller.
 //! - **Signs of zero and NaN.** A form may be 0 where the author's is −0, and finite where the author's is NaN: x − x and 0·x
-//!   are 0, unless a `min` or `max` takes them.
+//!   are 0, unless a `min` or `max` takes them. The literal `-0.0` is refused.
 //!   What jumps with the sign of a computed zero, `copysign`, `signum`, and `atan2` on the negative axis, may be on the other side.
 //! - **Size.** Calls may be nested 256 deep, groups of tokens 128 deep; a chain of operators or methods may be of any length.
 //!   Searches stop at a stated number of looks ([`budget`]); of more than 2,000 operations one form in one order of extraction is

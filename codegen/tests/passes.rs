@@ -95,7 +95,7 @@ const GAINS: [Row; 21] = {
             ROBOTICS,
             "quaternion_rotation",
             Gradient,
-            [84, 94],
+            [84, 87],
         ),
         (
             Pass::Step(Step::Coefficients),

@@ -10,8 +10,9 @@ use crate::interpret::double_double::stand_in;
 use crate::interpret::{Number, constant_value};
 pub use pack::Pack;
 
-/// A value with a bound of its error in units of the last place of 1. An infinite value without an error is infinity itself, one
-/// with an infinite error is larger than any number; where the error is NaN, nothing is known of the number.
+/// A value with a bound of its error in units of the last place of 1. An infinite value without an error is infinity itself,
+/// and NaN without one is surely no number; an infinite value with an infinite error is larger than any number. Where the error
+/// is NaN, nothing is known of the number.
 #[derive(Clone, Copy, Debug)]
 pub struct Bounded {
     /// The value, as `f64` arithmetic gives it.
@@ -20,8 +21,8 @@ pub struct Bounded {
     pub error: f64,
 }
 
-/// What a number smaller than any normal one may be off by, in units of the last place of 1.
-const UNDERFLOW: f64 = f64::MIN_POSITIVE / f64::EPSILON;
+/// What a number smaller than any normal one is off by, in units of the last place of 1: one of its own last places.
+const UNDERFLOW: f64 = f64::MIN_POSITIVE;
 
 impl Bounded {
     /// A number without an error.
@@ -37,13 +38,13 @@ impl Bounded {
         }
     }
 
-    /// The result of an operation on numbers, of which some may be infinite themselves.
+    /// The result of an operation on numbers, of which some may be infinity or NaN themselves.
     #[inline(always)]
     fn after(value: f64, inherited: f64, operands: &[Self]) -> Self {
         let any = |is: fn(&Self) -> bool| operands.iter().fold(false, |any, one| any | is(one));
         let is_unknown = any(|operand| operand.error.is_nan());
-        let is_infinity = any(|operand| operand.value.is_infinite() & (operand.error == 0.0));
-        let beyond = pick(is_infinity, 0.0, f64::INFINITY);
+        let is_itself = any(|operand| !operand.value.is_finite() & (operand.error == 0.0));
+        let beyond = pick(is_itself, 0.0, f64::INFINITY);
         let error = pick(
             value.is_finite(),
             inherited + value.abs(),
@@ -117,8 +118,15 @@ fn of_product(x: Bounded, y: Bounded) -> f64 {
 
 /// What a smooth function inherits of an operand's error, from its slope. Beyond the first order: where the argument may be
 /// anything, so may the value.
-fn of_slope(slope: f64, operand: Bounded) -> f64 {
-    let curved = 1.0 + operand.error * f64::EPSILON;
+fn of_slope(function: Function, slope: f64, operand: Bounded) -> f64 {
+    // Waves and exponentials bend as fast everywhere, the others slower the larger the argument is.
+    let scale = match function {
+        Function::Sin | Function::Cos | Function::Tan => 1.0,
+        Function::Exp | Function::Exp2 | Function::ExpM1 => 1.0,
+        Function::Sinh | Function::Cosh | Function::Tanh | Function::Powf => 1.0,
+        _ => operand.value.abs().max(1.0),
+    };
+    let curved = 1.0 + operand.error / scale * f64::EPSILON;
     share(slope.abs() * curved, operand.error)
 }
 
@@ -155,16 +163,27 @@ fn of_comparison(function: Function, [a, b, x, y]: [Bounded; 4]) -> Bounded {
     }
 }
 
+/// Whether a function's value is exact: at 0, 1 and infinity, where it is 0 or 1 itself.
+fn is_exact(x: Bounded, value: f64) -> bool {
+    let is_one_of = |number: f64, known: [f64; 3]| known.contains(&number);
+    x.error == 0.0
+        && is_one_of(x.value.abs(), [0.0, 1.0, f64::INFINITY])
+        && is_one_of(value, [0.0, 1.0, -1.0])
+}
+
 /// A function that has a row with its slope.
 fn elementary(function: Function, operands: &[Bounded]) -> Bounded {
     match (function.row().evaluation, operands) {
+        (Evaluation::One(value, _), [x]) if is_exact(*x, value(x.value)) => {
+            Bounded::exact(value(x.value))
+        }
         (Evaluation::One(value, slope), [x]) => {
-            let inherited = of_slope(slope(x.value), *x);
+            let inherited = of_slope(function, slope(x.value), *x);
             Bounded::after(value(x.value), inherited, operands)
         }
         (Evaluation::Two(value, slopes), [x, y]) => {
             let [first, second] = slopes.map(|slope| slope(x.value, y.value));
-            let inherited = of_slope(first, *x) + of_slope(second, *y);
+            let inherited = of_slope(function, first, *x) + of_slope(function, second, *y);
             Bounded::after(value(x.value, y.value), inherited, operands)
         }
         (Evaluation::Step(value), [x]) => of_step(value, *x),
@@ -219,8 +238,8 @@ impl Number for Bounded {
         let of_zero = Self::after(value, inherited, &operands).error;
         let scaled = Self::scaled(value, inherited, &operands).error;
         let rounded = pick(self.value == 0.0, of_zero, scaled);
-        // By infinity itself it is 0; by what is larger than any number, something smaller than any.
-        let size = self.value.abs().max(1.0) * UNDERFLOW;
+        // By infinity itself it is 0; by what is larger than any number, at most a share of the largest.
+        let size = self.value.abs() / f64::MAX / f64::EPSILON + UNDERFLOW;
         let by_infinity = pick(other.error == 0.0, 0.0, size);
         let is_by_infinity = other.value.is_infinite() & (value == 0.0);
         let known = pick(

@@ -19,7 +19,7 @@
 //! | [`Step::SharedFactors`] | `polynomial_and_slope`, value | 14 | 16 |
 //! | [`Step::Products`] | `lennard_jones`, gradient | 23 | 57 |
 //! | [`Step::Sums`] | `circumradius`, gradient | 60 | 64 |
-//! | [`Step::Multiples`] | `quaternion_rotation`, gradient | 84 | 94 |
+//! | [`Step::Multiples`] | `quaternion_rotation`, gradient | 84 | 87 |
 //! | [`Step::Coefficients`] | `quaternion_rotation`, gradient | 84 | 90 |
 //! | [`Step::Distribute`] | `quaternion_rotation`, gradient | 84 | 94 |
 //! | [`Pass::Repeats`] | `quaternion_rotation`, gradient | 84 | 86 |

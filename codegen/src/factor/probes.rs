@@ -1,6 +1,12 @@
 //! The points at which a form is held against the formula as written.
 
+mod rays;
+mod size;
+mod special;
+
 use crate::graph::{Domain, ExprId, Function, Graph, Node, Sizes, Symbol, SymbolId};
+pub use rays::{Size, rays};
+use special::{ALONE, TOGETHER, alone, together};
 
 /// How many points have numbers of everyday sizes.
 const ORDINARY: u64 = 96;
@@ -20,67 +26,6 @@ const FAR_MIXED: [f64; 8] = [0.0, 0.0, 0.55, -0.55, 0.65, -0.65, 0.97, -0.97];
 /// The sizes at every other of these points, where numbers are only somewhat larger or smaller than others.
 const NEAR_MIXED: [f64; 8] = [0.0, 0.0, 0.0, 0.01, -0.01, 0.03, -0.03, -0.02];
 
-/// Numbers that arithmetic has rules of their own for, and the edges of its range.
-fn special(sizes: Sizes) -> Vec<f64> {
-    let everywhere = [0.0, -0.0, 1.0, -1.0];
-    let edges = match sizes {
-        Sizes::All => vec![
-            f64::INFINITY,
-            f64::NEG_INFINITY,
-            f64::NAN,
-            f64::MIN_POSITIVE,
-            5e-324,
-            f64::MAX,
-            1e300,
-            -1e300,
-            1e-300,
-        ],
-        Sizes::Within { smallest, largest } => vec![smallest, largest, -smallest, -largest],
-    };
-    everywhere.into_iter().chain(edges).collect()
-}
-
-/// Arguments at the ends of the exponential's range: of it, of its square, and where it is lost beside 1.
-const EXPONENTS: [f64; 8] = [20.0, -20.0, 355.0, -355.0, 710.0, -710.0, 745.0, -745.0];
-
-/// Numbers whose power to themselves is in the middle of the range of numbers, and near its end.
-const POWERS: [f64; 2] = [75.0, 140.0];
-
-/// Numbers between the edges of a function that has values from −1 to 1 alone, where those of everyday have none.
-const WITHIN_ONE: [f64; 4] = [0.375, -0.75, 0.9990234375, -0.9990234375];
-
-/// The functions whose arguments have edges beside those of numbers, with special numbers for them.
-fn edges(function: Function) -> &'static [f64] {
-    match function {
-        Function::Exp
-        | Function::ExpM1
-        | Function::Exp2
-        | Function::Sinh
-        | Function::Cosh
-        | Function::Tanh => &EXPONENTS,
-        Function::Powf => &POWERS,
-        Function::Asin | Function::Acos | Function::Atanh | Function::Ln1p => &WITHIN_ONE,
-        _ => &[],
-    }
-}
-
-/// The special numbers for a formula.
-fn special_for(graph: &Graph) -> Vec<f64> {
-    let mut numbers = special(graph.sizes);
-    let fits = |size: &f64| within_sizes(graph.sizes, size.abs()) == size.abs();
-    let mut seen: Vec<&[f64]> = Vec::new();
-    for id in (0..graph.len()).filter_map(|position| graph.expression(position)) {
-        if let Node::Apply(function, _) = graph.node(id)
-            && let edges = edges(*function)
-            && !seen.contains(&edges)
-        {
-            seen.push(edges);
-            numbers.extend(edges.iter().copied().filter(fits));
-        }
-    }
-    numbers
-}
-
 /// The largest size to a power, or the smallest to its size where the power is negative.
 fn size(sizes: Sizes, power: f64) -> f64 {
     let (smallest, largest) = match sizes {
@@ -90,12 +35,6 @@ fn size(sizes: Sizes, power: f64) -> f64 {
     let edge: f64 = if power < 0.0 { smallest } else { largest };
     edge.powf(power.abs())
 }
-
-/// The most points of which one number is special.
-const ALONE: usize = 96;
-
-/// How many have several, where there are more than two numbers.
-const TOGETHER: u64 = 96;
 
 /// What looking at all points costs at most, in operations, each of which takes some 10 ns: a formula of more than 2,600
 /// operations is looked at on fewer points, of every kind the same share.
@@ -165,7 +104,7 @@ fn tiny(graph: &Graph) -> Vec<Vec<f64>> {
     (0..POINTS).map(point).collect()
 }
 
-/// Two terms of a sum that cancel where `symbol` has `ratio` times the value of `other`, and the sum's other symbols.
+/// Two terms of a sum, or two sides of a comparison, that cancel where `symbol` has `ratio` times the value of `other`, and the sum's other symbols.
 pub struct Difference {
     symbol: SymbolId,
     /// None for the number 1.
@@ -174,25 +113,11 @@ pub struct Difference {
     rest: Vec<SymbolId>,
 }
 
-/// Where the author subtracts inputs from each other or from numbers: there they may well be nearly equal.
+/// Where the author subtracts inputs from each other or from numbers, or compares them: there they may well be nearly equal.
 pub fn differences(graph: &Graph, roots: &[ExprId]) -> Vec<Difference> {
     let mut differences = Vec::new();
     for id in graph.reachable(roots) {
-        let Node::Sum(terms) = graph.node(id) else {
-            continue;
-        };
-        let mut inputs = Vec::new();
-        for (operand, coefficient) in terms {
-            let coefficient = coefficient.to_f64().unwrap_or(f64::NAN);
-            match graph.node(*operand) {
-                Node::Symbol(symbol) => inputs.push((Some(*symbol), coefficient)),
-                Node::Number(value) => {
-                    let value = value.to_f64().unwrap_or(f64::NAN);
-                    inputs.push((None, coefficient * value));
-                }
-                _ => {}
-            }
-        }
+        let inputs = subtracted(graph, id);
         for (position, (symbol, coefficient)) in inputs.iter().enumerate() {
             for (other, subtracted) in inputs.iter().skip(position + 1) {
                 let (symbol, other, ratio) = match (symbol, other) {
@@ -212,6 +137,30 @@ pub fn differences(graph: &Graph, roots: &[ExprId]) -> Vec<Difference> {
         }
     }
     differences
+}
+
+/// The inputs, with their factors, and the numbers among the terms of a sum, or of the difference that a choice looks at.
+fn subtracted(graph: &Graph, id: ExprId) -> Vec<(Option<SymbolId>, f64)> {
+    let input = |operand: ExprId, coefficient: f64| match graph.node(operand) {
+        Node::Symbol(symbol) => Some((Some(*symbol), coefficient)),
+        Node::Number(value) => Some((None, coefficient * value.to_f64().unwrap_or(f64::NAN))),
+        _ => None,
+    };
+    match graph.node(id) {
+        Node::Sum(terms) => {
+            let terms = terms.iter().map(|(operand, coefficient)| {
+                input(*operand, coefficient.to_f64().unwrap_or(f64::NAN))
+            });
+            terms.flatten().collect()
+        }
+        Node::Apply(function, operands) if function.is_choice() => {
+            let compared = operands.iter().zip([1.0, -1.0]);
+            compared
+                .filter_map(|(operand, sign)| input(*operand, sign))
+                .collect()
+        }
+        _ => Vec::new(),
+    }
 }
 
 /// A number within a symbol's domain, of that size as far as the domain allows.
@@ -246,9 +195,10 @@ fn inside(Domain { lower, upper, .. }: Domain, value: f64) -> f64 {
     }
 }
 
-/// A number of everyday, of a size from 1 to 2 in one of four negative.
+/// A number of everyday, of a size from a half to 4, in one of four negative.
 fn everyday(random: &mut Random) -> f64 {
-    let magnitude = 1.0 + random.below(1 << 10) as f64 / 1024.0;
+    let size = [0.5, 1.0, 2.0][random.below(3) as usize];
+    let magnitude = size * (1.0 + random.below(1 << 10) as f64 / 1024.0);
     if random.below(4) == 0 {
         -magnitude
     } else {
@@ -320,76 +270,6 @@ fn mixed(graph: &Graph, number: u64) -> Vec<f64> {
         within(symbol, size * everyday(&mut random))
     };
     symbols.map(|(_, symbol)| symbol).map(value).collect()
-}
-
-/// Points of which one number is special.
-fn alone(graph: &Graph, places: &[usize]) -> Vec<Vec<f64>> {
-    let domains: Vec<Domain> = graph.symbols().map(|(_, symbol)| symbol.domain).collect();
-    let special = special_for(graph);
-    let edges = |place: usize| {
-        let Domain { lower, upper, .. } = domains[place];
-        [lower, upper].into_iter().filter(|edge| edge.is_finite())
-    };
-    let pairs = places.iter().flat_map(|place| {
-        let values = special.iter().copied().chain(edges(*place));
-        values.map(|value| (*place, value))
-    });
-    let pairs: Vec<(usize, f64)> = pairs
-        .filter(|(place, value)| domains[*place].contains(*value))
-        .collect();
-    // Of many symbols each has some of them.
-    let step = pairs.len().div_ceil(ALONE).max(1);
-    let chosen = pairs.iter().skip(step / 2).step_by(step).enumerate();
-    let point = |(number, (place, special)): (usize, &(usize, f64))| {
-        let mut random = Random::new(2000 + number as u64);
-        let symbols = graph.symbols();
-        let mut values: Vec<f64> = symbols
-            .map(|(_, symbol)| within(symbol, everyday(&mut random)))
-            .collect();
-        values[*place] = *special;
-        values
-    };
-    chosen.map(point).collect()
-}
-
-/// Points of which several numbers are special: of two numbers all pairs.
-fn together(graph: &Graph, places: &[usize]) -> Vec<Vec<f64>> {
-    let special = special_for(graph);
-    let symbols: Vec<&Symbol> = graph.symbols().map(|(_, symbol)| symbol).collect();
-    let ordinary = |random: &mut Random| -> Vec<f64> {
-        symbols
-            .iter()
-            .map(|symbol| within(symbol, everyday(random)))
-            .collect()
-    };
-    if let [first, second] = *places {
-        let mut random = Random::new(3000);
-        let pairs = special
-            .iter()
-            .flat_map(|x| special.iter().map(move |y| [*x, *y]));
-        let are_allowed = |[x, y]: &[f64; 2]| {
-            symbols[first].domain.contains(*x) && symbols[second].domain.contains(*y)
-        };
-        let point = |[x, y]: [f64; 2]| {
-            let mut values = ordinary(&mut random);
-            (values[first], values[second]) = (x, y);
-            values
-        };
-        return pairs.filter(are_allowed).map(point).collect();
-    }
-    let point = |number: u64| {
-        let mut random = Random::new(3000 + number);
-        let mut values = ordinary(&mut random);
-        for (value, symbol) in values.iter_mut().zip(&symbols) {
-            let special = special[random.below(special.len() as u64) as usize];
-            if random.below(2) == 0 && symbol.domain.contains(special) {
-                *value = special;
-            }
-        }
-        values
-    };
-    let count = if places.len() > 2 { TOGETHER } else { 0 };
-    (0..count).map(point).collect()
 }
 
 /// Points of everyday with all digits, in groups that differ in the last digits alone: a share of the groups, and of each a

@@ -2,26 +2,26 @@
 //!
 //! Forms that are equal on paper differ in floating point: $(x-y)(x+y)$ keeps the digits that $x^2-y^2$ loses, $xy/(x+y)$ leaves
 //! the range of numbers where $1/(1/x+1/y)$ does not. The author's form, evaluated operation by operation as Rust does, is what
-//! every other form is held against, derivatives against those of the author's operations one by one. A form is taken only
-//! where it is finite wherever the author's is and its error is no larger than a stated multiple of the author's: at points
-//! with zeros, infinities, and numbers far from 1 ([`probes`]), by running bounds of the errors
-//! ([`bounded`](super::bounded)); and, where bounds say nothing because rounding errors cancel, by the errors themselves, measured
-//! in twice the digits. There each form also has to be the same number as the author's to some 28 digits, which confirms all
-//! that was taken for equal on the way to it.
+//! every other form is held against, derivatives against those of the author's operations one by one, as dual numbers have
+//! them. A form is taken only where it is finite wherever the author's is and its error is no larger than a stated multiple of
+//! the author's: at points with zeros, infinities, and numbers far from 1, and where operations of the form's own leave the
+//! range of numbers ([`probes`]), by running bounds of the errors ([`bounded`](super::bounded)); and, where bounds say nothing
+//! because rounding errors cancel, by the errors themselves, measured in twice the digits. There each form also has to be the
+//! same number as the author's to some 28 digits, which confirms all that was taken for equal on the way to it.
 
 mod author;
 
 use std::fmt;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use super::bounded::Pack;
-use super::probes;
+use super::bounded::{Bounded, Pack};
+use super::probes::{self, Difference};
 use crate::circuit::{Circuit, Operation};
 use crate::graph::{ExprId, Graph, Symbol, SymbolId};
 use crate::interpret::double_double::DoubleDouble;
 use crate::interpret::{Number, Prepared};
 use crate::parallel::{WORTH_A_THREAD, on_all_cores};
-use author::{Author, Group, Measured, exactly, lane_of, lenient, packed};
+use author::{Author, Group, Measured, exactly, lane_of, packed};
 
 /// How much larger than the author's the error of a form may be. Both are bounds, which grow with the number of
 /// operations; a cancellation is larger by orders of magnitude.
@@ -86,33 +86,52 @@ static REFUTED: AtomicUsize = AtomicUsize::new(0);
 pub struct Reference {
     /// The symbols' names, of those that the numbers depend on.
     names: Vec<Option<String>>,
-    /// The symbols' values, by packs of points.
-    points: Vec<Vec<Pack>>,
-    outputs: Vec<Vec<Pack>>,
+    /// By packs of points; none of a formula with an integral.
+    known: Vec<Known>,
     groups: Vec<Group>,
+    /// What points beside these are found with and held against.
+    more: Option<More>,
+}
+
+/// The author's form at a pack of points.
+#[derive(Clone, Debug)]
+struct Known {
+    symbols: Vec<Pack>,
+    outputs: Vec<Pack>,
+}
+
+/// The author's form with the symbols it depends on, ready to be looked at where another form leaves the range of numbers.
+struct More {
+    author: Author,
+    used: Vec<SymbolId>,
+    differences: Vec<Difference>,
+    /// Of how large a share of all rays there are points.
+    share: f64,
 }
 
 /// The packs of points at which forms were found wrong: where one is, others often are.
 #[derive(Clone, Debug, Default)]
-pub struct Decisive(Vec<usize>);
+pub struct Decisive {
+    /// By their places among those at which all forms are looked at.
+    places: Vec<usize>,
+    /// Beside these, those of single forms.
+    beside: Vec<Known>,
+}
 
 impl Reference {
     /// The author's form.
     pub fn of(written: &Written) -> Self {
-        Self::at(
-            written,
-            &probes::differences(&written.graph, &written.roots),
-        )
+        Self::at(written, probes::differences(&written.graph, &written.roots))
     }
 
     /// The author's form, looked at also where differences nearly vanish that show only when it is gathered.
     pub fn beside(written: &Written, graph: &Graph, outputs: &[ExprId]) -> Self {
         let mut differences = probes::differences(&written.graph, &written.roots);
         differences.extend(probes::differences(graph, outputs));
-        Self::at(written, &differences)
+        Self::at(written, differences)
     }
 
-    fn at(written: &Written, differences: &[probes::Difference]) -> Self {
+    fn at(written: &Written, differences: Vec<Difference>) -> Self {
         let Written { graph, roots, .. } = written;
         let used = graph.symbols_of(roots);
         let name =
@@ -121,24 +140,16 @@ impl Reference {
         let Some(author) = Author::of(written) else {
             return Self {
                 names,
-                points: Vec::new(),
-                outputs: Vec::new(),
+                known: Vec::new(),
                 groups: Vec::new(),
+                more: None,
             };
         };
-        let share = probes::share(author.both.len());
-        let points = probes::points(graph, roots, differences, share);
-        let points: Vec<Vec<Pack>> = points.chunks(Pack::LANES).map(packed).collect();
-        let outputs = in_parts(&points, Pack::LANES * author.both.len(), |points| {
-            let mut memory = Vec::new();
-            let lenient = |at: &Vec<Pack>| {
-                let [forward, reverse] = author.bounds(at, &mut memory);
-                lenient(&forward, &reverse)
-            };
-            points.iter().map(lenient).collect::<Vec<_>>()
-        });
-        let groups = probes::groups(graph, differences, share);
-        let measured = in_parts(&groups, OF_A_GROUP * author.both.len(), |groups| {
+        let share = probes::share(author.bounds.len());
+        let points = probes::points(graph, roots, &differences, share);
+        let known = known(&author, &points);
+        let groups = probes::groups(graph, &differences, share);
+        let measured = in_parts(&groups, OF_A_GROUP * author.bounds.len(), |groups| {
             let groups = groups.iter();
             groups
                 .map(|points| Group::of(&author, points))
@@ -146,9 +157,14 @@ impl Reference {
         });
         Self {
             names,
-            points,
-            outputs: outputs.into_iter().flatten().collect(),
+            known,
             groups: measured.into_iter().flatten().collect(),
+            more: Some(More {
+                author,
+                used: used.into_iter().collect(),
+                differences,
+                share,
+            }),
         }
     }
 
@@ -165,27 +181,43 @@ impl Reference {
         decisive: &mut Decisive,
     ) -> Option<Fault> {
         let prepared = Prepared::of_circuit(graph, circuit);
-        let known = decisive.0.iter();
+        let places = decisive.places.iter().map(|place| &self.known[*place]);
         let memory = &mut Vec::new();
-        let fault = known
-            .filter_map(|place| self.fault_at(*place, &prepared, memory))
+        let fault = places
+            .chain(&decisive.beside)
+            .filter_map(|known| self.fault_at(known, &prepared, memory))
             .next();
         if fault.is_some() {
             return fault;
         }
-        match self.first_fault(&prepared) {
-            Some((place, fault)) => {
-                decisive.0.push(place);
-                Some(fault)
-            }
-            None => self.fault_of_groups(graph, circuit, &prepared),
+        if let Some((place, fault)) = self.first_fault(&self.known, &prepared) {
+            decisive.places.push(place);
+            return Some(fault);
         }
+        let fault = self.fault_of_groups(graph, circuit, &prepared);
+        if fault.is_some() {
+            return fault;
+        }
+        let beside = self.beyond_range(graph, circuit);
+        let (place, fault) = self.first_fault(&beside, &prepared)?;
+        decisive.beside.push(beside[place].clone());
+        Some(fault)
+    }
+
+    /// The author's form where an operation of another form leaves the range of numbers.
+    fn beyond_range(&self, graph: &Graph, circuit: &Circuit) -> Vec<Known> {
+        let Some(more) = &self.more else {
+            return Vec::new();
+        };
+        let sizes = Prepared::of_circuit(graph, circuit);
+        let points = probes::rays(graph, &sizes, &more.used, &more.differences, more.share);
+        known(&more.author, &points)
     }
 
     /// What is wrong at the first point where anything is, and the place of its pack.
-    fn first_fault(&self, prepared: &Prepared<Pack>) -> Option<(usize, Fault)> {
+    fn first_fault(&self, known: &[Known], prepared: &Prepared<Pack>) -> Option<(usize, Fault)> {
         let first = AtomicUsize::new(usize::MAX);
-        let places: Vec<usize> = (0..self.points.len()).collect();
+        let places: Vec<usize> = (0..known.len()).collect();
         let found = in_parts(&places, Pack::LANES * prepared.len(), |places| {
             let mut memory = Vec::new();
             for place in places {
@@ -193,7 +225,7 @@ impl Reference {
                 if first.load(Ordering::Relaxed) < *place {
                     return None;
                 }
-                if let Some(fault) = self.fault_at(*place, prepared, &mut memory) {
+                if let Some(fault) = self.fault_at(&known[*place], prepared, &mut memory) {
                     first.fetch_min(*place, Ordering::Relaxed);
                     return Some((*place, fault));
                 }
@@ -223,14 +255,16 @@ impl Reference {
     /// What is wrong at the first point of a pack where anything is.
     fn fault_at(
         &self,
-        place: usize,
+        known: &Known,
         prepared: &Prepared<Pack>,
         memory: &mut Vec<Pack>,
     ) -> Option<Fault> {
-        let at = &self.points[place];
-        let found = prepared.at_with(at, memory);
-        let outputs = &self.outputs[place];
-        let text = |lane: usize| self.text(lane_of(at, lane).iter().map(|number| number.value));
+        let Known { symbols, outputs } = known;
+        let found = prepared.at_with(symbols, memory);
+        let text = |lane: usize| {
+            let at = lane_of(symbols, lane);
+            self.text(at.iter().map(|number| number.value))
+        };
         (0..Pack::LANES).find_map(|lane| {
             let mut both = outputs.iter().zip(&found);
             both.find_map(|(known, found)| {
@@ -241,11 +275,7 @@ impl Reference {
                 if !found.value.is_finite() {
                     return Some(Fault::NotFinite(text(lane)));
                 }
-                let bound = ALLOWED * (known.error + known.value.abs());
-                let apart = (known.value - found.value).abs();
-                let is_near =
-                    found.error <= bound && apart <= ALLOWED * f64::EPSILON * (bound + found.error);
-                (known.has_digits() && !is_near).then(|| Fault::LosesDigits(text(lane)))
+                (!is_as_right(known, found)).then(|| Fault::LosesDigits(text(lane)))
             })
         })
     }
@@ -256,12 +286,7 @@ impl Reference {
         let mut errors: Vec<[f64; 2]> = Vec::new();
         let found = other.bounds.at(&group.symbols);
         for (lane, measured) in group.points.iter().enumerate() {
-            let Measured {
-                at,
-                bounds,
-                reverse,
-                exact,
-            } = measured;
+            let Measured { at, bounds, exact } = measured;
             let found = lane_of(&found, lane);
             let found_exact = other.exact.at(&exactly(at));
             errors.resize(bounds.len(), [0.0; 2]);
@@ -284,9 +309,7 @@ impl Reference {
                         error.high.abs() / exact.high.abs()
                     };
                     let [author, other] = &mut errors[place];
-                    *author = author
-                        .max(error(known.value))
-                        .max(error(reverse[place].value));
+                    *author = author.max(error(known.value));
                     *other = other.max(error(found[place].value));
                 }
             }
@@ -304,6 +327,36 @@ impl Reference {
             .collect();
         values.join(", ")
     }
+}
+
+/// The author's form at points.
+fn known(author: &Author, points: &[Vec<f64>]) -> Vec<Known> {
+    let packs: Vec<Vec<Pack>> = points.chunks(Pack::LANES).map(packed).collect();
+    let known = in_parts(&packs, Pack::LANES * author.bounds.len(), |packs| {
+        let mut memory = Vec::new();
+        let known = packs.iter().map(|symbols| Known {
+            symbols: symbols.clone(),
+            outputs: author.bounds.at_with(symbols, &mut memory),
+        });
+        known.collect::<Vec<_>>()
+    });
+    known.into_iter().flatten().collect()
+}
+
+/// Whether a number of another form is as near the truth as the author's is known to be, and surely so where that has digits.
+fn is_as_right(known: Bounded, found: Bounded) -> bool {
+    // What is smaller than any normal number may be lost on the way.
+    let lost = if known.value.abs() < f64::MIN_POSITIVE {
+        f64::MIN_POSITIVE / f64::EPSILON
+    } else {
+        0.0
+    };
+    let bound = ALLOWED * (known.error + known.value.abs()) + lost;
+    let apart = (known.value - found.value).abs();
+    if known.has_digits() {
+        return found.error <= bound && apart <= f64::EPSILON * ALLOWED * (bound + found.error);
+    }
+    !known.error.is_finite() || apart <= f64::EPSILON * bound
 }
 
 /// What an operation at all points of a group, in twice the digits too, counts for beside one at a point.

@@ -93,6 +93,10 @@ fn multiple_of_shared(
     known: &mut HashMap<Vec<ExprId>, First>,
 ) -> Option<ExprId> {
     let (coefficient, factors) = parts(graph, radicand);
+    // What turns out to be 0 is no multiple of another, nor another of it.
+    if coefficient.is_zero() {
+        return None;
+    }
     let odd = odd_factors(&factors);
     let signs = factors.iter().filter(|(_, exponent)| exponent % 2 != 0);
     let signs = signs.map(|(factor, exponent)| (*factor, exponent.signum()));

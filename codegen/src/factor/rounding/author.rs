@@ -15,8 +15,6 @@ pub(super) struct Group {
 pub(super) struct Measured {
     pub(super) at: Vec<f64>,
     pub(super) bounds: Vec<Bounded>,
-    /// The author's numbers at a point, with partials in the reverse mode.
-    pub(super) reverse: Vec<Bounded>,
     pub(super) exact: Vec<DoubleDouble>,
 }
 
@@ -24,11 +22,10 @@ impl Group {
     /// The author's numbers at points of which a pack has all.
     pub(super) fn of(author: &Author, points: &[Vec<f64>]) -> Self {
         let symbols = packed(points);
-        let [bounds, reverse] = author.bounds(&symbols, &mut Vec::new());
+        let bounds = author.bounds.at(&symbols);
         let measured = points.iter().enumerate().map(|(lane, at)| Measured {
             at: at.clone(),
-            bounds: lane_of(&lenient(&bounds, &reverse), lane),
-            reverse: lane_of(&reverse, lane),
+            bounds: lane_of(&bounds, lane),
             exact: author.exact.at(&exactly(at)),
         });
         Self {
@@ -57,55 +54,20 @@ pub(super) fn exactly(at: &[f64]) -> Vec<DoubleDouble> {
     at.iter().copied().map(DoubleDouble::exact).collect()
 }
 
-/// The author's form, ready to be evaluated.
+/// The author's form, ready to be evaluated, with partials as dual numbers have them.
 pub(super) struct Author {
-    /// The numbers with partials as dual numbers have them, then the numbers with partials in the reverse mode.
-    pub(super) both: Prepared<Pack>,
-    /// Where the numbers with partials as dual numbers have them begin.
+    pub(super) bounds: Prepared<Pack>,
     exact: Prepared<DoubleDouble>,
-    /// How many numbers there are.
-    count: usize,
 }
 
 impl Author {
     /// `None` if there is an integral, of which there is no code.
     pub(super) fn of(written: &Written) -> Option<Self> {
-        let Written {
-            graph,
-            roots,
-            reverse,
-            ..
-        } = written;
-        let all = [roots.as_slice(), reverse].concat();
+        let Written { graph, roots, .. } = written;
+        let reachable = graph.reachable(roots);
         Some(Self {
-            both: Prepared::of_graph(graph, &graph.reachable(&all), &all)?,
-            exact: Prepared::of_graph(graph, &graph.reachable(roots), roots)?,
-            count: roots.len(),
+            bounds: Prepared::of_graph(graph, &reachable, roots)?,
+            exact: Prepared::of_graph(graph, &reachable, roots)?,
         })
     }
-
-    /// The numbers in both modes.
-    pub(super) fn bounds(&self, at: &[Pack], memory: &mut Vec<Pack>) -> [Vec<Pack>; 2] {
-        let mut bounds = self.both.at_with(at, memory);
-        let reverse = bounds.split_off(self.count);
-        [bounds, reverse]
-    }
-}
-
-/// Numbers with the larger of two errors: one way to derive the author's operations is as good as the other.
-pub(super) fn lenient(forward: &[Pack], reverse: &[Pack]) -> Vec<Pack> {
-    let larger = |forward: Bounded, reverse: Bounded| {
-        let error = if reverse.value.is_finite() {
-            forward.error.max(reverse.error)
-        } else {
-            forward.error
-        };
-        Bounded {
-            value: forward.value,
-            error,
-        }
-    };
-    let both = forward.iter().zip(reverse);
-    both.map(|(forward, reverse)| Pack::of(|lane| larger(forward.lane(lane), reverse.lane(lane))))
-        .collect()
 }

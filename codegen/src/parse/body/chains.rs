@@ -2,7 +2,7 @@
 //! no more of the stack than one of two.
 
 use syn::spanned::Spanned;
-use syn::{BinOp, Expr, ExprBinary, UnOp};
+use syn::{BinOp, Expr, ExprBinary, Lit, UnOp};
 
 use super::choices::is_logical;
 use super::methods::Called;
@@ -92,6 +92,10 @@ impl<'m> Reader<'m> {
             }
             Expr::Unary(unary) if matches!(unary.op, UnOp::Neg(_)) => {
                 let operand = self.number_of(value?, &unary.expr)?;
+                if is_zero(&unary.expr) {
+                    let hint = "a zero has no sign in a formula: write `0.0`";
+                    return self.unsupported(unary.span(), "a negative zero", hint);
+                }
                 Some(Value::Number(self.graph.negate(operand)))
             }
             Expr::Unary(unary) if matches!(unary.op, UnOp::Not(_)) => {
@@ -121,11 +125,28 @@ impl<'m> Reader<'m> {
         };
         let right = self.number(&binary.right, scope);
         let (left, right) = (left?, right?);
+        if !multiplies && is_zero(&binary.right) {
+            let hint = "it is infinite or NaN whatever the inputs: write a divisor that is not 0";
+            return self.unsupported(binary.right.span(), "a division by 0", hint);
+        }
         let result = if multiplies {
             self.graph.multiply_as_written(left, right)
         } else {
             self.graph.divide(left, right)
         };
         self.representable(result, binary.span())
+    }
+}
+
+/// Whether an expression is the literal 0, in parentheses or not.
+fn is_zero(expression: &Expr) -> bool {
+    match expression {
+        Expr::Paren(inner) => is_zero(&inner.expr),
+        Expr::Group(inner) => is_zero(&inner.expr),
+        Expr::Lit(literal) => match &literal.lit {
+            Lit::Float(number) => number.base10_parse().is_ok_and(|value: f64| value == 0.0),
+            _ => false,
+        },
+        _ => false,
     }
 }

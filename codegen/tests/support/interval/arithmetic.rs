@@ -114,6 +114,8 @@ impl<const ROUGH: bool> Arithmetic for Interval<ROUGH> {
             (y, y.value)
         };
         match (u.knowledge, v.knowledge) {
+            // Of two that are no numbers the derivative may be that of either.
+            (Knowledge::NoNumber, Knowledge::NoNumber) => Self::unknown(value),
             (Knowledge::NoNumber, _) => *y,
             (_, Knowledge::NoNumber) => *x,
             (Knowledge::Bounded, Knowledge::Bounded) if u.high < v.low || v.high < u.low => *first,
