@@ -164,7 +164,8 @@ pub fn gradient_forward(graph: &mut Graph, function: ExprId, by: &[SymbolId]) ->
     tangents.remove(&function).unwrap_or(nothing)
 }
 
-/// The derivative of a node that has no corner from those of its operands.
+/// The derivative of a node that has no corner from those of its operands. Of the author's operations it is a quotient where
+/// the function's slope is one, u'/√…: its own derivative then stays in the range of numbers where that of u'·(1/√…) does not.
 fn tangent(
     graph: &mut Graph,
     id: ExprId,
@@ -186,7 +187,14 @@ fn tangent(
     let mut terms = Vec::new();
     // Nodes made meanwhile lie behind the last known one; no operand of an old node does.
     let matters = |id: ExprId| depends.get(id.index()).copied().unwrap_or(false);
+    let divides = graph.is_as_written() && matches!(graph.node(id), Node::Apply(..));
     for (operand, slope, coefficient) in slopes(graph, id, matters) {
+        if divides && slope.iter().all(|(_, exponent)| *exponent < 0) {
+            let divisors = slope.iter().map(|(factor, exponent)| (*factor, -exponent));
+            let divisor = graph.product(divisors);
+            terms.push((graph.divide(inner(operand), divisor), coefficient));
+            continue;
+        }
         let factors = std::iter::once((inner(operand), 1)).chain(slope);
         terms.push((graph.product(factors), coefficient));
     }

@@ -265,3 +265,73 @@ fn a_maximum_leaves_out_what_is_no_number_of_a_product_with_0() {
     // Where nothing chooses, the product is 0: the author's is 0 or NaN.
     assert_eq!(at(&of_two("0.0 * x + y"), Form::Value, &[3.0, 5.0]), [5.0]);
 }
+
+/// Formulas of which forms with fewer operations leave the range of numbers, or lose digits at its end, where no list of
+/// special numbers has a point; with such a point, the place of a number in the form, and the right one.
+#[test]
+fn what_a_form_alone_loses_is_found_where_it_loses_it() {
+    let smallest = f64::MIN_POSITIVE;
+    let cases: [(String, Form, [f64; 2], usize, f64); 6] = [
+        // As 2^64·x^64 it has lost digits where x^64 is below the smallest normal number.
+        (
+            of_two("(x + x).powi(64) + 0.0 * y"),
+            Form::Value,
+            [1.5 * 2.0_f64.powi(-17), 1.0],
+            0,
+            1.5_f64.powi(64) * 2.0_f64.powi(-1000) * 2.0_f64.powi(-24),
+        ),
+        // (x·y)·π and x·(y·π) lose digits where the first product is small and the other number large.
+        (
+            of_two("std::f64::consts::PI * (x * y)"),
+            Form::Value,
+            [3e-320, 1e170],
+            0,
+            std::f64::consts::PI * (3e-320 * 1e170),
+        ),
+        // The mixed second derivative, −(4/9)·(y/x)^(1/3)/(xy), of which the parts may be infinite.
+        (
+            of_two("(y / x).cbrt()"),
+            Form::Hessian,
+            [1.0, smallest],
+            4,
+            -smallest.cbrt() / smallest / 9.0,
+        ),
+        // With the fourth power of a cosh there would be nothing left: −2·tanh/cosh².
+        (
+            of_two("x.tanh() + 0.0 * y"),
+            Form::Hessian,
+            [266.5, 1.0],
+            3,
+            -8.0 * (-266.5_f64).exp() * (-266.5_f64).exp(),
+        ),
+        // A comparison with what is no number fails.
+        (
+            of_two("if x - x >= y { y } else { y.tanh() }"),
+            Form::Value,
+            [f64::NAN, -1.0],
+            0,
+            (-1.0_f64).tanh(),
+        ),
+        (
+            of_two("if 1.0 >= 0.0 / x.acosh() { 1.0 } else { y }"),
+            Form::Value,
+            [0.5, -1.0],
+            0,
+            -1.0,
+        ),
+    ];
+    for (function, form, inputs, place, right) in cases {
+        let found = at(&function, form, &inputs)[place];
+        assert!(
+            (found / right - 1.0).abs() < 1e-13,
+            "{function} at {inputs:?}: {found:e} beside {right:e}"
+        );
+    }
+}
+
+#[test]
+fn what_turns_out_to_be_a_division_by_0_is_code() {
+    let body = "((1.0 / ((x + x).powi(2) - x.powi(2) - 2.0 * x * x - x.powi(2)) - 1.0) / y).sqrt()";
+    let found = at(&of_two(body), Form::Hessian, &[1.0, 1.0]);
+    assert!(!found[0].is_finite(), "{found:?}");
+}

@@ -155,15 +155,20 @@ impl Graph {
         self.written_sum([(product.unwrap_or(one), sign)])
     }
 
-    /// A product of two that the author wrote. One with 0 is an operation like others: it is NaN where the other factor is
-    /// infinite or NaN, and `min` and `max` take that for nothing.
-    pub fn multiply_as_written(&mut self, left: ExprId, right: ExprId) -> ExprId {
+    /// A product or quotient of two that the author wrote, by the exponent of the second. One with a factor of 0 is an
+    /// operation like others: it is NaN where the other is infinite or NaN, and `min`, `max` and comparisons see that.
+    pub fn multiply_as_written(
+        &mut self,
+        left: ExprId,
+        (right, exponent): (ExprId, i32),
+    ) -> ExprId {
         let numbers = [left, right].map(|id| self.as_number(id));
         let is_zero = |number: &Option<&Rational>| number.is_some_and(Rational::is_zero);
+        let both = [(left, 1), (right, exponent)];
         if self.is_as_written && numbers.iter().any(is_zero) && numbers.contains(&None) {
-            return self.intern(Node::Product(Factors::from_slice(&[(left, 1), (right, 1)])));
+            return self.intern(Node::Product(Factors::from_slice(&both)));
         }
-        self.multiply(left, right)
+        self.product(both)
     }
 
     fn finish_sum(&mut self, terms: Terms) -> ExprId {

@@ -79,8 +79,10 @@ impl Random {
                 text
             }
             Self::Product(a, b) => format!("({}) * ({})", r(a), r(b)),
-            Self::Quotient(a, b) => format!("({}) / ({})", r(a), r(b)),
-            Self::Negative(a) => format!("-({})", r(a)),
+            Self::Quotient(a, b) => {
+                format!("({}) / ({})", r(a), other_than_zero(r(b)))
+            }
+            Self::Negative(a) => format!("-({})", other_than_zero(r(a))),
             Self::Power(a, exponent) => format!("({}).powi({exponent})", r(a)),
             Self::Function(function, a) => format!("({}).{}()", r(a), FUNCTIONS[*function]),
             Self::Extreme(larger, a, b) => format!(
@@ -96,6 +98,15 @@ impl Random {
             },
             Self::Block(a, b) => format!("{{ let t = {}; ({}) * t }}", r(a), r(b)),
         }
+    }
+}
+
+/// The expression, or 1 where it is the literal 0: a division by that and its negative are refused.
+fn other_than_zero(expression: String) -> String {
+    if expression == "0.0" {
+        "1.0".to_owned()
+    } else {
+        expression
     }
 }
 

@@ -201,9 +201,16 @@ impl Subject {
                 let slope = self.derivative(*value, *one);
                 let name = format!("value {position} by {}", INPUTS[*one]);
                 gradients.push(number(name.clone(), &[*value, slope]));
-                for other in &by[first(row)..] {
+                for (column, other) in by.iter().enumerate().skip(first(row)) {
                     if form == Form::Hessian {
-                        let second = self.derivative(slope, *other);
+                        // The matrix is symmetric by construction: both of two entries are derived in the same order.
+                        let [first, second] = if column < row {
+                            [other, one]
+                        } else {
+                            [one, other]
+                        };
+                        let slope = self.derivative(*value, *first);
+                        let second = self.derivative(slope, *second);
                         let name = format!("{name}, {}", INPUTS[*other]);
                         hessians.push(number(name, &[*value, slope, second]));
                     }

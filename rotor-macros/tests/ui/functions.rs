@@ -10,6 +10,10 @@ mod formulas {
         atan2(x, 1.0) + tanh(x)
     }
 
+    pub fn zeros(x: f64) -> f64 {
+        x.max(-0.0) + x / 0.0 + 1.0 / -(0.0)
+    }
+
     pub fn sinc(x: f64) -> f64 {
         sin(x) / x
     }

@@ -126,6 +126,14 @@ impl Number for Size {
             (Function::Exp | Function::ExpM1, [x]) if x.value().abs() > FAR_APART => {
                 Self::power_of_two(x.value() / LN_2)
             }
+            (Function::Sinh | Function::Cosh, [x]) if x.value().abs() > FAR_APART => Self {
+                sign: if function == Function::Sinh {
+                    x.sign
+                } else {
+                    1.0
+                },
+                log: x.value().abs() / LN_2 - 1.0,
+            },
             (Function::Exp2, [x]) => Self::power_of_two(x.value()),
             (Function::Ln, [x]) => Self::of(x.log * LN_2),
             (Function::Log2, [x]) => Self::of(x.log),

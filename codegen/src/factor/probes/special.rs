@@ -47,8 +47,10 @@ fn special(sizes: Sizes) -> Vec<f64> {
     everywhere.into_iter().chain(edges).collect()
 }
 
-/// Arguments at the ends of the exponential's range: of it, of its square, and where it is lost beside 1.
-const EXPONENTS: [f64; 8] = [20.0, -20.0, 355.0, -355.0, 710.0, -710.0, 745.0, -745.0];
+/// Arguments at the ends of the exponential's range: of it, of its powers up to the fourth, and where it is lost beside 1.
+const EXPONENTS: [f64; 12] = [
+    20.0, -20.0, 180.0, -180.0, 245.0, -245.0, 355.0, -355.0, 710.0, -710.0, 745.0, -745.0,
+];
 
 /// Numbers whose power to themselves is in the middle of the range of numbers, and near its end.
 const POWERS: [f64; 2] = [75.0, 140.0];
@@ -97,15 +99,24 @@ pub(super) fn alone(graph: &Graph, places: &[usize]) -> Vec<Vec<f64>> {
         [lower, upper].into_iter().filter(|edge| edge.is_finite())
     };
     let pairs = places.iter().flat_map(|place| {
-        let values = special.iter().copied().chain(edges(*place));
+        // A comparison with NaN fails, which shows only beside numbers with which it would hold: there are more of it.
+        let more = special.iter().copied().filter(|number| number.is_nan());
+        let more = more.flat_map(|nan| [nan; 3]);
+        let values = special.iter().copied().chain(edges(*place)).chain(more);
         values.map(|value| (*place, value))
     });
     let pairs: Vec<(usize, f64)> = pairs
         .filter(|(place, value)| domains[*place].contains(*value))
         .collect();
-    // Of many symbols each has some of them.
+    // Of many symbols each has some of them; of few each has all, several times beside others of other signs.
     let step = pairs.len().div_ceil(ALONE).max(1);
-    let chosen = pairs.iter().skip(step / 2).step_by(step).enumerate();
+    let times = if places.len() > 1 {
+        (ALONE / pairs.len().max(1)).max(1)
+    } else {
+        1
+    };
+    let chosen = pairs.iter().skip(step / 2).step_by(step);
+    let chosen = std::iter::repeat_n(chosen, times).flatten().enumerate();
     let point = |(number, (place, special)): (usize, &(usize, f64))| {
         let mut random = Random::new(2000 + number as u64);
         let symbols = graph.symbols();

@@ -129,11 +129,8 @@ impl<'m> Reader<'m> {
             let hint = "it is infinite or NaN whatever the inputs: write a divisor that is not 0";
             return self.unsupported(binary.right.span(), "a division by 0", hint);
         }
-        let result = if multiplies {
-            self.graph.multiply_as_written(left, right)
-        } else {
-            self.graph.divide(left, right)
-        };
+        let exponent = if multiplies { 1 } else { -1 };
+        let result = self.graph.multiply_as_written(left, (right, exponent));
         self.representable(result, binary.span())
     }
 }
