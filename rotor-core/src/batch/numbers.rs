@@ -133,6 +133,23 @@ impl Numbers {
         })?
     }
 
+    /// Computes $\beta$ anew from both inertias, as one quotient, as every rotor alone has it: the generated stage multiplies by
+    /// an inverse that other coefficients share.
+    fn divide_inertias(&mut self) {
+        let sides = [Column::DiskPolarInertia, Column::DiskDiametralInertia];
+        if self.points == 1 {
+            let [polar, diametral] = sides.map(|side| self.list(side).number());
+            self.set(Column::Beta, polar / diametral);
+            return;
+        }
+        let mut ratios = self.lists[Column::Beta as usize].take(self.points);
+        let [polar, diametral] = self.columns(&sides);
+        for (ratio, (polar, diametral)) in ratios.iter_mut().zip(polar.iter().zip(diametral)) {
+            *ratio = polar / diametral;
+        }
+        self.lists[Column::Beta as usize] = List::of(ratios);
+    }
+
     /// Checks what a stage has given, and keeps in mind at which update of the row.
     fn computed(&mut self, stage: Stage, update: u64) {
         self.computed[stage as usize] = Some(update);
@@ -290,6 +307,9 @@ impl Points<'_> {
             self.of_row.set(*column, self.row.number(*column));
         }
         self.of_row.compute(chosen)?;
+        if stage == Stage::Coefficients {
+            self.of_row.divide_inertias();
+        }
         self.of_row.computed(stage, self.row.updates());
         Some(())
     }
@@ -305,6 +325,9 @@ impl Points<'_> {
                 self.of_block.compute(*only)?;
             }
             _ => self.compute_loads()?,
+        }
+        if stage == Stage::Coefficients {
+            self.of_block.divide_inertias();
         }
         self.of_block.computed(stage, self.row.updates());
         Some(())

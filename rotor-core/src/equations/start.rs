@@ -20,10 +20,16 @@ mod formulas {
             + 2.0 * ((x.abs() + x) * coupled_stiffness(c) + (x.abs() - x) * c.gamma.powi(2))
     }
 
-    /// Square of the start of the simple region, Eq. (15) in the form of E9, good for every $0 < \beta \le 2$.
+    /// Square of the start of the simple region, Eq. (15) in the form of E9, good for every $0 < \beta \le 2$. Where $q > 0$,
+    /// which takes a disk of $\beta > 1 + \delta$, its divisor is a difference, and the other form of the root is a sum.
     pub fn sir_start_squared(c: &Coefficients) -> f64 {
         let q = c.beta - 1.0 - c.delta;
-        2.0 * coupled_stiffness(c) / (sir_radicand(c).sqrt() - q)
+        let sum = sir_radicand(c).sqrt() + q.abs();
+        if q > 0.0 {
+            sum / (2.0 * (c.beta - 1.0))
+        } else {
+            2.0 * coupled_stiffness(c) / sum
+        }
     }
 
     /// Start $\Omega_s$ of the simple region, where $\omega_2 = \Omega$, Eq. (15).

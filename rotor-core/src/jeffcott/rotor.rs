@@ -205,6 +205,9 @@ impl Rotor {
 
     pub(crate) fn coefficients_of(&self, k: &Stiffness) -> Result<Coefficients, InputError> {
         let mut c = equations::coefficients::value(&self.parameters, k);
+        // As one quotient: as the product with an inverse that others share, which is two roundings, it would miss the limits 1
+        // and 2, at which regions end.
+        c.beta = self.parameters.inertia_ratio();
         if k.k_tm == 0.0 {
             if k.delta_k_tm != 0.0 {
                 return Err(InputError::CouplingVanishes {
