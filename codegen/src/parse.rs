@@ -22,3 +22,4 @@ mod signature;
 mod specialise;
 pub mod tabulated;
 pub mod value;
+pub(crate) mod whole;

@@ -90,7 +90,7 @@ pub(super) type Written = syn::Result<Piece>;
 pub(super) fn unsupported<T>(tokens: &impl ToTokens) -> syn::Result<T> {
     Err(syn::Error::new_spanned(
         tokens,
-        format!("`{}` is not a part of a formula", tokens.to_token_stream()),
+        format!("`{}` is not typeset", tokens.to_token_stream()),
     ))
 }
 
@@ -140,6 +140,10 @@ impl<'a> Writer<'a> {
                 self.bound.insert(name, symbol.clone());
                 self.lines.push(Line::new(symbol, &terms));
                 return Ok(());
+            }
+            Stmt::Expr(Expr::ForLoop(turns), _) => {
+                let message = "a loop is not typeset";
+                return Err(syn::Error::new_spanned(turns.for_token, message));
             }
             _ => return unsupported(statement),
         };

@@ -41,6 +41,12 @@ impl<'m> Reader<'m> {
         let Some((callee, form)) = module.callee(&path.path) else {
             if let [of, method] = names_of(&path.path).as_slice()
                 && of == "f64"
+                && method == "from"
+            {
+                return self.number_from(call, scope);
+            }
+            if let [of, method] = names_of(&path.path).as_slice()
+                && of == "f64"
                 && let Some(last) = path.path.segments.last()
                 && last.ident == method
             {
@@ -196,7 +202,7 @@ impl<'m> Reader<'m> {
             let before = self.diagnostics.len();
             let result = self.call(function, arguments);
             // What is too deep is so wherever the calls begin.
-            if result.is_none() && !self.too_deep {
+            if result.is_none() && !self.is_beyond {
                 let reasons = self.diagnostics.split_off(before);
                 self.explain_failed_call(function, &reasons, span);
             }
@@ -287,12 +293,13 @@ impl<'m> Reader<'m> {
         let symbol = self
             .graph
             .symbol_of(Role::Variable(self.integrals), &variable);
-        let mut inner = scope.clone();
+        let mark = scope.enter();
         let value = Value::Number(self.graph.symbol_expression(symbol));
-        inner.insert(variable, Some(value));
-        let integrand = self.number(&closure.body, &mut inner)?;
+        scope.bind(variable, Some(value));
+        let integrand = self.number(&closure.body, scope);
+        scope.leave(mark);
         Some(Value::Number(
-            self.graph.integral(symbol, integrand, lower?, upper?),
+            self.graph.integral(symbol, integrand?, lower?, upper?),
         ))
     }
 }

@@ -75,7 +75,8 @@ fn fits(module: &Module, ty: &Type, value: &Value) -> bool {
 /// The type of a value as it is written.
 fn type_of(value: &Value) -> String {
     match value {
-        Value::Number(_) => "f64".to_owned(),
+        Value::Number(_) | Value::Sum(_) => "f64".to_owned(),
+        Value::Whole(_) => "i32".to_owned(),
         Value::Truth(_) => "bool".to_owned(),
         Value::Tuple(values) => {
             let parts: Vec<String> = values.iter().map(type_of).collect();
@@ -85,6 +86,7 @@ fn type_of(value: &Value) -> String {
             let element = values.first().map_or_else(|| "f64".to_owned(), type_of);
             format!("[{element}; {}]", values.len())
         }
+        Value::Iterator(_) => "impl Iterator".to_owned(),
         Value::Struct { name, .. } => name.replace(' ', ""),
         Value::Parameter { path, .. } => format!("that of `{path}`"),
     }

@@ -8,9 +8,9 @@ use crate::diagnostics::nearest;
 use crate::parse::value::Value;
 
 impl<'m> Reader<'m> {
-    pub(super) fn field(&mut self, field: &syn::ExprField, scope: &mut Scope) -> Option<Value> {
-        let base = self.expression(&field.base, scope)?;
-        let member = field.member.to_token_stream().to_string();
+    /// A field of a struct or tuple.
+    pub(super) fn field_of(&mut self, base: Value, field: &syn::Member) -> Option<Value> {
+        let member = field.to_token_stream().to_string();
         let (description, mut hint) = (base.description(), base.known_fields());
         let found = match base {
             Value::Parameter {
@@ -42,11 +42,11 @@ impl<'m> Reader<'m> {
                 .ok()
                 .filter(|position| *position < values.len())
                 .map(|position| values.swap_remove(position)),
-            Value::Number(_) | Value::Truth(_) | Value::Array(_) => None,
+            _ => None,
         };
         if found.is_none() {
             self.diagnostics.error_with_hint(
-                field.member.span(),
+                field.span(),
                 format!("{description} has no field `{member}`"),
                 hint,
             );
