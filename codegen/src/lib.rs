@@ -43,7 +43,8 @@
 //!
 //! # The language
 //!
-//! A module of functions. A function takes `f64`s, arrays `[f64; n]`, and structs of `f64`s (by value or reference), and
+//! A module of functions. A function takes `f64`s, arrays `[f64; N]` and structs, within each other (`[[f64; 3]; 3]`,
+//! `[Point; N]`, a struct in a struct), by value or reference, and
 //! gives a number, or numbers in a tuple, an array or a struct literal. Its body is statements and an expression of
 //!
 //! | | |
@@ -62,7 +63,7 @@
 //! | whole numbers | `const N: usize = 3;`, variables of loops, `+ - * / %` and comparisons of these: as bounds, indices, exponents of `powi`, and numbers by `i as f64` |
 //! | arrays | `[a, b]`, `[0.0; N]`, `q[i]`, `q[i + 1][j]`; `iter`, `rev`, `enumerate`, `zip`, `chain`, `skip`, `take`, `step_by`, `map(\|x\| …)`, `sum`, `product`, `fold(a, \|b, x\| …)`, `len` |
 //! | access | `c.field`, `a[0]`, `pair.0` |
-//! | structs | `Name { field: x }`, `Name { field: x, ..*c }` |
+//! | structs | `Name { field: x }`, `Name { field: x, ..*c }`; patterns `let Name { field, .. } = c;` |
 //! | calls | of other formulas of the module and of those that it links; `f::d_x(…)`, `f::d_x_y(…)` of their partials |
 //! | integrals | `integral(\|t\| …, a..b)`, in functions that are tabulated |
 //!
@@ -87,7 +88,11 @@
 //! hold a table of symbols for [`latex`], and link other modules, `symbolic(with(super::stiffness))`.
 //!
 //! What is derived by, has a domain or is replaced is a number `x`, a field `c.y` or an element `a[0]`; whole parameters may
-//! be replaced, too. Without a list, partials are by every number that the function's source names, also through the
+//! be replaced, too. `gradient(q)` and `hessian(q)` of an array or a struct `q`, or of a part `c.q` or `m[0]` of one, are by
+//! all its numbers, each in the place where it is declared: by `m: [[f64; 3]; 3]` the gradient is a `[f64; 9]`, row by row, by
+//! `(x, q)` it is one list, `x` first. Columns have one column for each number, `m_0_1` for `m[0][1]`. The length of an array
+//! is a number or made of constants of the module and of those that it links; structs within others have to be of these, too.
+//! A parameter holds up to 4,096 numbers. Without a list, partials are by every number that the function's source names, also through the
 //! formulas that it calls, in the order of its parameters; one that cancels stays among them. A budget holds for the richest
 //! form asked for, the last of value, gradient and Hessian; partials that other formulas call are not in it. A partial's
 //! name must have one meaning: beside parameters `x`, `y` and `x_y` there is no `d_x_y`.

@@ -18,6 +18,7 @@ pub mod names;
 pub(crate) mod numbers;
 pub mod place;
 mod settings;
+pub mod shape;
 mod signature;
 mod specialise;
 pub mod tabulated;

@@ -25,8 +25,9 @@ use syn::Expr;
 use syn::spanned::Spanned;
 
 use super::attributes::Approximation;
-use super::module::{Function, Module, ParameterKind};
+use super::module::{Function, Module};
 use super::numbers;
+use super::shape::Shape;
 use super::tabulated::TableSource;
 use super::value::Value;
 use crate::diagnostics::Diagnostics;
@@ -98,7 +99,7 @@ impl<'m> Reader<'m> {
 
     /// The function's result over symbols named as its parameters. `None` if something was reported.
     pub fn read(&mut self, function: &Function) -> Option<Value> {
-        for number in numbers::known(self.module, function) {
+        for number in numbers::known(function) {
             let in_a_struct = number.contains('.');
             if !in_a_struct {
                 self.symbol(&Role::Input, &number);
@@ -145,7 +146,7 @@ impl<'m> Reader<'m> {
     fn assume_domain(&mut self, function: &Function) {
         for (symbol, domain, _) in &function.domain {
             // What is no number of the function is reported with the module.
-            if numbers::misfit(self.module, function, symbol).is_none() {
+            if numbers::misfit(function, symbol).is_none() {
                 let id = self.symbol(&Role::Input, symbol);
                 self.graph.assume(id, *domain);
             }
@@ -174,30 +175,32 @@ impl<'m> Reader<'m> {
     }
 
     fn symbolic_arguments(&mut self, function: &Function, role: &Role) -> Vec<Value> {
-        let module = self.module;
-        let mut symbol = |name: String| {
-            let id = self.symbol(role, &name);
-            Value::Number(self.graph.symbol_expression(id))
-        };
-        let mut arguments = Vec::new();
-        for parameter in &function.parameters {
-            let name = parameter.name.to_string();
-            arguments.push(match parameter.kind {
-                ParameterKind::Number => symbol(name),
-                ParameterKind::Array(length) => Value::Array(
-                    (0..length)
-                        .map(|i| symbol(format!("{name}[{i}]")))
-                        .collect(),
-                ),
-                ParameterKind::Struct => Value::Parameter {
-                    path: name,
-                    role: role.clone(),
-                    fields: module.fields_of(&parameter.ty).map(<[_]>::to_vec),
-                    replaced: Vec::new(),
-                },
-            });
+        let parameters = function.parameters.iter();
+        parameters
+            .map(|parameter| self.symbolic(&parameter.shape, parameter.name.to_string(), role))
+            .collect()
+    }
+
+    /// A value over symbols of that name; those of a struct are made when its fields are read.
+    fn symbolic(&mut self, shape: &Shape, path: String, role: &Role) -> Value {
+        match shape {
+            Shape::Number => {
+                let id = self.symbol(role, &path);
+                Value::Number(self.graph.symbol_expression(id))
+            }
+            Shape::Array(element, length) => {
+                let places = 0..*length;
+                let elements =
+                    places.map(|place| self.symbolic(element, format!("{path}[{place}]"), role));
+                Value::Array(elements.collect())
+            }
+            Shape::Struct(fields) => Value::Parameter {
+                path,
+                role: role.clone(),
+                fields: fields.clone(),
+                replaced: Vec::new(),
+            },
         }
-        arguments
     }
 
     /// The function's result for these arguments.

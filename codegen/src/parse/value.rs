@@ -1,6 +1,7 @@
 //! What an expression of the source stands for while a function's body is followed.
 
 use super::condition::Condition;
+use super::shape::Fields;
 use crate::graph::{ExprId, Rational, Role};
 
 /// A number, or numbers under the names and places that the source gives them.
@@ -33,8 +34,8 @@ pub enum Value {
         path: String,
         /// What its symbols stand for.
         role: Role,
-        /// Its fields, where the struct is one of the module.
-        fields: Option<Vec<String>>,
+        /// Its fields, where the struct is known.
+        fields: Option<Fields>,
         /// Fields that have another value: `S { field: a, ..path }`.
         replaced: Vec<(String, Value)>,
     },
@@ -88,7 +89,8 @@ impl Value {
                 fields: Some(fields),
                 ..
             } => {
-                let names: Vec<String> = fields.iter().map(|name| format!("`{name}`")).collect();
+                let names: Vec<String> =
+                    fields.iter().map(|(name, _)| format!("`{name}`")).collect();
                 format!("its fields are {}", names.join(", "))
             }
             other => other.way_to_a_number().to_owned(),

@@ -1,6 +1,8 @@
 //! Whole numbers of a source: lengths of arrays, bounds of loops, indices, exponents. They are known when a formula is read.
 
-use syn::BinOp;
+use syn::{BinOp, Expr, Lit, UnOp};
+
+use super::module::Module;
 
 use crate::graph::{Rational, decimal};
 
@@ -32,6 +34,40 @@ pub(super) fn operation(operator: &BinOp, left: i64, right: i64) -> Option<i64> 
 /// Whether whole numbers have the operator.
 pub(super) fn is_operator(operator: &BinOp) -> bool {
     operation(operator, 1, 1).is_some()
+}
+
+/// How many constants may stand for each other; what needs itself, which is reported, ends there.
+const LONGEST_CHAIN: usize = 64;
+
+/// The whole number that an expression over a module's constants is, such as the length of an array.
+pub(super) fn constant(module: &Module, expression: &Expr) -> Option<i64> {
+    constant_of(module, expression, LONGEST_CHAIN)
+}
+
+fn constant_of(module: &Module, expression: &Expr, steps: usize) -> Option<i64> {
+    let steps = steps.checked_sub(1)?;
+    match expression {
+        Expr::Lit(syn::ExprLit {
+            lit: Lit::Int(literal),
+            ..
+        }) => of_literal(literal),
+        Expr::Paren(inner) => constant_of(module, &inner.expr, steps),
+        Expr::Group(inner) => constant_of(module, &inner.expr, steps),
+        Expr::Unary(unary) if matches!(unary.op, UnOp::Neg(_)) => {
+            constant_of(module, &unary.expr, steps).map(|value| -value)
+        }
+        Expr::Binary(binary) => operation(
+            &binary.op,
+            constant_of(module, &binary.left, steps)?,
+            constant_of(module, &binary.right, steps)?,
+        ),
+        Expr::Path(path) => {
+            let (home, name) = module.constant(&path.path)?;
+            let (_, value) = home.constants.iter().find(|(known, _)| known == name)?;
+            constant_of(home, value, steps)
+        }
+        _ => None,
+    }
 }
 
 /// The least and the largest number of a type of whole numbers, as far as there are such here.

@@ -10,8 +10,9 @@ use super::{Reader, Scope};
 use crate::diagnostics::{Diagnostics, nearest};
 use crate::graph::Role;
 use crate::parse::known_methods;
-use crate::parse::module::{Function, ParameterKind};
+use crate::parse::module::Function;
 use crate::parse::names::{Callee, Kind, Miss, names_of};
+use crate::parse::shape::Shape;
 use crate::parse::value::Value;
 
 const WHERE_FORMULAS_ARE: &str =
@@ -160,20 +161,14 @@ impl<'m> Reader<'m> {
         for ((argument, parameter), expression) in
             arguments.iter().zip(&function.parameters).zip(&call.args)
         {
-            let fits = match parameter.kind {
-                ParameterKind::Number => matches!(argument, Value::Number(_)),
-                ParameterKind::Array(length) => {
-                    matches!(argument, Value::Array(values) if values.len() == length)
-                }
-                ParameterKind::Struct => {
-                    matches!(argument, Value::Parameter { .. } | Value::Struct { .. })
-                }
-            };
-            if !fits {
-                let hint = match parameter.kind {
-                    ParameterKind::Number => "it is a number".to_owned(),
-                    ParameterKind::Array(length) => format!("it is an array of {length} numbers"),
-                    ParameterKind::Struct => "it is a struct".to_owned(),
+            if !suits(&parameter.shape, argument) {
+                let hint = match &parameter.shape {
+                    Shape::Number => "it is a number".to_owned(),
+                    Shape::Array(element, length) if **element == Shape::Number => {
+                        format!("it is an array of {length} numbers")
+                    }
+                    Shape::Array(_, length) => format!("it is an array of {length} elements"),
+                    Shape::Struct(_) => "it is a struct".to_owned(),
                 };
                 self.diagnostics.error_with_hint(
                     expression.span(),
@@ -181,7 +176,10 @@ impl<'m> Reader<'m> {
                         "`{}` of `{}` can't be {}",
                         parameter.name,
                         function.name(),
-                        argument.description()
+                        match argument {
+                            Value::Array(_) => "this array",
+                            other => other.description(),
+                        }
                     ),
                     hint,
                 );
@@ -301,5 +299,17 @@ impl<'m> Reader<'m> {
         Some(Value::Number(
             self.graph.integral(symbol, integrand?, lower?, upper?),
         ))
+    }
+}
+
+/// Whether a value may be given for a parameter.
+fn suits(shape: &Shape, value: &Value) -> bool {
+    match (shape, value) {
+        (Shape::Number, Value::Number(_)) => true,
+        (Shape::Array(element, length), Value::Array(values)) => {
+            values.len() == *length && values.iter().all(|value| suits(element, value))
+        }
+        (Shape::Struct(_), Value::Parameter { .. } | Value::Struct { .. }) => true,
+        _ => false,
     }
 }

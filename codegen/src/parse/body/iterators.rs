@@ -205,7 +205,7 @@ impl<'m> Reader<'m> {
             Expr::Paren(inner) => self.closure(&inner.expr),
             other => self.unsupported(
                 other.span(),
-                "what is called with each value by another name",
+                "a function by its name here",
                 "write a closure: `|x| …`",
             ),
         }

@@ -62,7 +62,9 @@ impl<'m> Reader<'m> {
         let name = call.name.to_string();
         let known = known_methods::all().find(|(method, _)| *method == name);
         let Some((_, arity)) = known else {
-            self.all(call.arguments.iter().copied(), scope);
+            let is_closure = |argument: &&Expr| matches!(argument, Expr::Closure(_));
+            let arguments = call.arguments.iter().copied();
+            self.all(arguments.filter(|argument| !is_closure(argument)), scope);
             // What is no number may well have other methods.
             receiver?;
             self.diagnostics.error_with_hint(

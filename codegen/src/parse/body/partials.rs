@@ -92,7 +92,7 @@ impl<'m> Reader<'m> {
         }
         let role = Role::Argument(function.name().into());
         let placeholders = self.symbolic_arguments(function, &role);
-        for number in numbers::known(self.module, function) {
+        for number in numbers::known(function) {
             self.graph.symbol_of(role.clone(), &number);
         }
         let value = match self.call_or_table(function, placeholders, span)? {

@@ -12,15 +12,39 @@ pub(super) fn unread(pattern: &Pat) -> impl Iterator<Item = (String, Option<Valu
     bound_names(pattern).into_iter().map(|name| (name, None))
 }
 
-/// The patterns of a list before and behind its `..`, and whether there is one.
-fn around_rest<'p>(
-    patterns: impl IntoIterator<Item = &'p Pat>,
-) -> (Vec<&'p Pat>, Vec<&'p Pat>, bool) {
-    let all: Vec<&Pat> = patterns.into_iter().collect();
-    let rest = all.iter().position(|part| matches!(part, Pat::Rest(_)));
-    match rest {
-        Some(place) => (all[..place].to_vec(), all[place + 1..].to_vec(), true),
-        None => (all, Vec::new(), false),
+/// The patterns of a list before and behind its `..`.
+struct AroundRest<'p> {
+    before: Vec<&'p Pat>,
+    behind: Vec<&'p Pat>,
+    /// Whether there is a `..`.
+    is_open: bool,
+    /// The name in `name @ ..`.
+    name: Option<String>,
+}
+
+impl<'p> AroundRest<'p> {
+    fn of(patterns: impl IntoIterator<Item = &'p Pat>) -> Self {
+        let (mut before, mut behind) = (Vec::new(), Vec::new());
+        let (mut is_open, mut name) = (false, None);
+        for pattern in patterns {
+            let subpattern =
+                |ident: &'p syn::PatIdent| ident.subpat.as_ref().map(|(_, it)| it.as_ref());
+            match pattern {
+                Pat::Rest(_) => is_open = true,
+                Pat::Ident(ident) if matches!(subpattern(ident), Some(Pat::Rest(_))) => {
+                    is_open = true;
+                    name = Some(ident.ident.to_string());
+                }
+                pattern if is_open => behind.push(pattern),
+                pattern => before.push(pattern),
+            }
+        }
+        Self {
+            before,
+            behind,
+            is_open,
+            name,
+        }
     }
 }
 
@@ -85,12 +109,17 @@ impl<'m> Reader<'m> {
         parts: Option<Vec<Value>>,
         scope: &mut Scope,
     ) -> Option<()> {
-        let (first, last, open) = around_rest(patterns);
-        let count = first.len() + last.len();
+        let around = AroundRest::of(patterns);
+        let (first, last) = (around.before.len(), around.behind.len());
+        let count = first + last;
         let (before, behind): (Vec<Option<Value>>, Vec<Option<Value>>) = match parts {
-            None => (vec![None; first.len()], vec![None; last.len()]),
-            Some(parts) if parts.len() == count || (open && parts.len() > count) => {
-                let skipped = parts.len() - last.len();
+            None => (vec![None; first], vec![None; last]),
+            Some(parts) if parts.len() == count || (around.is_open && parts.len() > count) => {
+                let skipped = parts.len() - last;
+                if let Some(name) = around.name {
+                    let rest = parts[first..skipped].to_vec();
+                    scope.bind(name, Some(Value::Array(rest)));
+                }
                 let behind = parts[skipped..].iter().cloned().map(Some).collect();
                 (parts.into_iter().map(Some).collect(), behind)
             }
@@ -107,8 +136,8 @@ impl<'m> Reader<'m> {
             }
         };
         let mut complete = Some(());
-        let patterns = first.into_iter().zip(before);
-        for (pattern, part) in patterns.chain(last.into_iter().zip(behind)) {
+        let patterns = around.before.into_iter().zip(before);
+        for (pattern, part) in patterns.chain(around.behind.into_iter().zip(behind)) {
             complete = self.bind(pattern, part, scope).and(complete);
         }
         complete
