@@ -104,8 +104,8 @@ pub struct Expansion {
     uses_integral: bool,
     /// The module of the chain, where there is one.
     chain: Option<TokenStream>,
-    /// Whether it was reported that calls go too deep.
-    too_deep: bool,
+    /// Whether it was reported that calls go too deep or statements are too many.
+    is_beyond: bool,
     /// Whether a formula could not be read for a mistake in a linked module, which reports it.
     linked_mistake: bool,
     used_tables: BTreeMap<String, TokenStream>,
@@ -149,7 +149,7 @@ impl Expansion {
             uses_columns: false,
             uses_integral: false,
             chain: None,
-            too_deep: false,
+            is_beyond: false,
             linked_mistake: false,
             used_tables: BTreeMap::new(),
         }
@@ -216,8 +216,8 @@ impl Expansion {
         let value = reader.read(function);
         // Bodies of tabulated functions are read by the table; what they call is known only there.
         let (graph, mut diagnostics, named) = (reader.graph, reader.diagnostics, reader.named);
-        // Of all functions that call too deep one is reported.
-        if reader.too_deep && std::mem::replace(&mut self.too_deep, true) {
+        // Of all functions that are followed too far one is reported.
+        if reader.is_beyond && std::mem::replace(&mut self.is_beyond, true) {
             diagnostics = Diagnostics::default();
         }
         self.linked_mistake |= reader.linked_mistake;

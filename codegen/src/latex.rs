@@ -25,7 +25,8 @@ const LONGEST: usize = 70;
 /// A parameter that is a struct is not written: its fields stand by their names, as quantities that are known throughout.
 ///
 /// # Errors
-/// The function holds what is not a part of a formula; the error is at its place.
+/// The function holds what is no part of a formula, or what is not typeset, such as loops and assignments; the error is at
+/// its place.
 pub fn formula(module: &Module, symbols: &Symbols, function: &Function) -> syn::Result<String> {
     Ok(match lines(module, symbols, function)?.as_slice() {
         [line] if line.rows.len() == 1 => format!("{} = {}\n", line.left, line.rows.concat()),
@@ -234,7 +235,7 @@ fn bound_names(pattern: &Pat) -> syn::Result<Vec<String>> {
         }
         other => Err(syn::Error::new_spanned(
             other,
-            "this pattern is not a part of a formula",
+            "this pattern is not typeset",
         )),
     }
 }

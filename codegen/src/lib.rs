@@ -43,8 +43,9 @@
 //!
 //! # The language
 //!
-//! A module of functions. A function takes `f64`s, arrays `[f64; n]`, and structs of `f64`s (by value or reference), and
-//! gives a number, or numbers in a tuple, an array or a struct literal. Its body is `let` bindings and an expression of
+//! A module of functions. A function takes `f64`s, arrays `[f64; N]` and structs, within each other (`[[f64; 3]; 3]`,
+//! `[Point; N]`, a struct in a struct), by value or reference, and
+//! gives a number, or numbers in a tuple, an array or a struct literal. Its body is statements and an expression of
 //!
 //! | | |
 //! |---|---|
@@ -57,8 +58,12 @@
 //! | corners | `abs`, `min`, `max`, `clamp`, `signum`, `copysign`; `floor`, `ceil`, `round`, `trunc`, `fract` |
 //! | both at once | `mul_add` (rounded once) |
 //! | choices | `if a < b { … } else if … { … } else { … }`, with `< <= > >= == !=`, `&&`, <code>&#124;&#124;</code> and `!`; `match` on conditions, tuples of them, and by `x if x < 0.0 => …` |
+//! | statements | `let`, also of tuples, arrays and structs by patterns, `let mut`; `x = …`, `x += …`, `-= *= /=`, also of `a[i]`, `c.field` and `(a, b) = (b, a)`, and within the branches of `if` and `match` |
+//! | loops | `for i in 0..N`, `0..=N`, `for x in [a, b]`, `for (i, x) in q.iter().enumerate()`: over what is known when the formula is read |
+//! | whole numbers | `const N: usize = 3;`, variables of loops, `+ - * / %` and comparisons of these: as bounds, indices, exponents of `powi`, and numbers by `i as f64` |
+//! | arrays | `[a, b]`, `[0.0; N]`, `q[i]`, `q[i + 1][j]`; `iter`, `rev`, `enumerate`, `zip`, `chain`, `skip`, `take`, `step_by`, `map(\|x\| …)`, `sum`, `product`, `fold(a, \|b, x\| …)`, `len` |
 //! | access | `c.field`, `a[0]`, `pair.0` |
-//! | structs | `Name { field: x }`, `Name { field: x, ..*c }` |
+//! | structs | `Name { field: x }`, `Name { field: x, ..*c }`; patterns `let Name { field, .. } = c;` |
 //! | calls | of other formulas of the module and of those that it links; `f::d_x(…)`, `f::d_x_y(…)` of their partials |
 //! | integrals | `integral(\|t\| …, a..b)`, in functions that are tabulated |
 //!
@@ -66,7 +71,13 @@
 //! library, which computes it in scalar forms and, number by number, in columns. Of a choice both values are computed and one
 //! is selected, in columns too; what is not selected has no part in value or derivative, whatever it is.
 //!
-//! There are no loops or assignments. Whatever else is found is reported at its token with what to write instead, all at once: also functions and constants that need
+//! A loop is followed turn by turn, so that what comes out has none, and a variable that is assigned to stands for its new
+//! value from there on; where a branch assigns to it, one of two values is selected. What an `if` or `match` of whole numbers
+//! decides is known, and the branch that is not taken is not looked at. A formula has up to 100,000 statements, those of
+//! loops and of called formulas counted as often as they are passed. `x += a; x += b;` is `x + a + b`, a sum of three as it
+//! is rounded; what is read in between is a number of its own.
+//!
+//! There are no loops without a range, no `break`, `continue` or early `return`. Whatever else is found is reported at its token with what to write instead, all at once: also functions and constants that need
 //! themselves, results of another type than the signature says, fields that a struct of the module does not have, and names
 //! that both the author and the generator give.
 //!
@@ -77,7 +88,11 @@
 //! hold a table of symbols for [`latex`], and link other modules, `symbolic(with(super::stiffness))`.
 //!
 //! What is derived by, has a domain or is replaced is a number `x`, a field `c.y` or an element `a[0]`; whole parameters may
-//! be replaced, too. Without a list, partials are by every number that the function's source names, also through the
+//! be replaced, too. `gradient(q)` and `hessian(q)` of an array or a struct `q`, or of a part `c.q` or `m[0]` of one, are by
+//! all its numbers, each in the place where it is declared: by `m: [[f64; 3]; 3]` the gradient is a `[f64; 9]`, row by row, by
+//! `(x, q)` it is one list, `x` first. Columns have one column for each number, `m_0_1` for `m[0][1]`. The length of an array
+//! is a number or made of constants of the module and of those that it links; structs within others have to be of these, too.
+//! A parameter holds up to 4,096 numbers. Without a list, partials are by every number that the function's source names, also through the
 //! formulas that it calls, in the order of its parameters; one that cancels stays among them. A budget holds for the richest
 //! form asked for, the last of value, gradient and Hessian; partials that other formulas call are not in it. A partial's
 //! name must have one meaning: beside parameters `x`, `y` and `x_y` there is no `d_x_y`.
@@ -195,6 +210,8 @@
 //! - **Signs of zero and NaN.** A form may be 0 where the author's is −0, and finite where the author's is NaN: x − x and 0·x
 //!   are 0, unless a `min` or `max` takes them. The literal `-0.0` is refused.
 //!   What jumps with the sign of a computed zero, `copysign`, `signum`, and `atan2` on the negative axis, may be on the other side.
+//! - **Whole numbers** are known, and go up to 2³¹ − 1 in size, as an `i32`: what leaves that range is refused. A difference
+//!   below 0, which is a panic of `usize` in the function as written, is a negative number.
 //! - **Size.** Calls may be nested 256 deep, groups of tokens 128 deep; a chain of operators or methods may be of any length.
 //!   Searches stop at a stated number of looks ([`budget`]); of more than 2,000 operations one form in one order of extraction is
 //!   looked at. Constants and exponents that grow too long while they are gathered

@@ -52,9 +52,13 @@ pub fn parameters(function: &Function) -> TokenStream {
 /// The values in the shape that the formula gives them.
 pub fn shaped(value: &Value, numbers: &mut impl Iterator<Item = TokenStream>) -> TokenStream {
     match value {
-        Value::Number(_) | Value::Parameter { .. } | Value::Truth(_) => {
-            numbers.next().unwrap_or_default()
-        }
+        Value::Number(_) => numbers.next().unwrap_or_default(),
+        // None of these is a result.
+        Value::Sum(_)
+        | Value::Whole(_)
+        | Value::Truth(_)
+        | Value::Iterator(_)
+        | Value::Parameter { .. } => TokenStream::new(),
         Value::Tuple(values) => {
             let values: Vec<_> = values.iter().map(|value| shaped(value, numbers)).collect();
             quote!((#(#values,)*))

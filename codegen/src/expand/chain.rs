@@ -12,9 +12,10 @@ use crate::emit::{chain, staged};
 use crate::graph::Node;
 use crate::parse::attributes::{Request, root};
 use crate::parse::body::{Reader, identifier};
-use crate::parse::module::{Function, Module, ParameterKind};
+use crate::parse::module::{Function, Module};
 use crate::parse::names::Linked;
 use crate::parse::numbers;
+use crate::parse::shape::Shape;
 use crate::parse::value::Value;
 use crate::tables::Tables;
 
@@ -86,7 +87,7 @@ fn linked_members(module: &Module) -> Vec<Member> {
         let value = reader.read(function)?;
         let mut formula = Formula::of(reader.graph, &value, false);
         for target in request.targets() {
-            if numbers::misfit(module, function, &target.symbol).is_none() {
+            if numbers::misfit(function, &target.symbol).is_none() {
                 formula.input(&target.symbol);
             }
         }
@@ -182,7 +183,7 @@ fn unnamed(function: &Function, request: &Request, formula: &Formula) -> Member 
 /// What a number is that a formula takes.
 fn taken(function: &Function, symbol: &str) -> Taken {
     let parameter = function.parameter(root(symbol));
-    let structure = parameter.filter(|parameter| parameter.kind == ParameterKind::Struct);
+    let structure = parameter.filter(|parameter| matches!(parameter.shape, Shape::Struct(_)));
     match structure.and_then(|parameter| last_name(&parameter.ty)) {
         Some(structure) => Taken {
             structure: Some(structure),

@@ -9,6 +9,7 @@ use crate::emit::staged;
 use crate::parse::attributes::StageRequest;
 use crate::parse::module::{Function, Module};
 use crate::parse::numbers;
+use crate::parse::shape::Shape;
 
 /// How many numbers a result holds, as its type says.
 enum Numbers {
@@ -64,31 +65,20 @@ fn numbers_of(module: &Module, output: &syn::ReturnType) -> Numbers {
         return Numbers::Unknown;
     };
     let counted = |count: usize| Numbers::Counted(Literal::usize_unsuffixed(count));
+    let count = |ty: &syn::Type| Shape::of(module, ty).and_then(|shape| shape.count());
     match ty.as_ref() {
-        syn::Type::Tuple(tuple) => counted(tuple.elems.len()),
-        syn::Type::Array(array) => {
-            let length = &array.len;
-            let length = syn::parse2::<syn::LitInt>(quote!(#length));
-            length
-                .and_then(|length| length.base10_parse())
-                .map_or(Numbers::Unknown, counted)
+        syn::Type::Tuple(tuple) => {
+            let counts: Option<Vec<usize>> = tuple.elems.iter().map(count).collect();
+            counts.map_or(Numbers::Unknown, |counts| counted(counts.iter().sum()))
         }
         syn::Type::Path(path) if path.path.is_ident("f64") => Numbers::One,
-        ty @ syn::Type::Path(_) => match module.fields_of(ty) {
-            Some(fields) => counted(fields.len()),
-            None => Numbers::Unknown,
-        },
-        _ => Numbers::Unknown,
+        ty => count(ty).map_or(Numbers::Unknown, counted),
     }
 }
 
 /// The column forms that could not be generated: `Columns` with the fields that the parameters' types tell.
-pub(super) fn column_stubs(
-    module: &Module,
-    function: &Function,
-    with_gradient: bool,
-) -> TokenStream {
-    let fields = numbers::known(module, function);
+pub(super) fn column_stubs(function: &Function, with_gradient: bool) -> TokenStream {
+    let fields = numbers::known(function);
     let inputs = columns::inputs_type(&fields);
     let names = ["columns", "gradient_columns"];
     let names = names.iter().take(1 + usize::from(with_gradient));

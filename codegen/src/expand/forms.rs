@@ -70,11 +70,7 @@ impl Expansion {
             items.extend(self.column_items(function, &column_forms));
         } else if request.columns {
             self.uses_columns = true;
-            items.push(column_stubs(
-                &self.module,
-                function,
-                request.gradient.is_some(),
-            ));
+            items.push(column_stubs(function, request.gradient.is_some()));
         }
         let mut staged = Vec::new();
         for (place, stage) in request.stages.iter().enumerate() {
@@ -145,7 +141,7 @@ impl Expansion {
         }
         let formula = self.formulas.get_mut(&name)?.as_mut()?;
         let by = by.iter().map(|target| {
-            let misfit = numbers::misfit(&self.module, function, &target.symbol);
+            let misfit = numbers::misfit(function, &target.symbol);
             let fits = misfit.is_none() && function.parameter(target.root()).is_some();
             fits.then(|| formula.input(&target.symbol))
         });

@@ -24,7 +24,7 @@ impl Expansion {
     /// A formula with all inputs that are known of its function: the same names as where it is called.
     fn with_known_inputs(&self, function: &Function) -> Option<Formula> {
         let mut formula = self.formula(&function.name())?.clone();
-        for number in numbers::known(&self.module, function) {
+        for number in numbers::known(function) {
             formula.input(&number);
         }
         Some(formula)

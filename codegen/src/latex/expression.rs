@@ -8,7 +8,8 @@ use syn::{BinOp, Expr, ExprCall, ExprField, Lit, Member, Pat, Stmt, UnOp};
 
 use super::piece::{Piece, Precedence, delimited, parentheses};
 use super::{Line, bound_names, type_name};
-use crate::parse::module::{Function, Module, ParameterKind};
+use crate::parse::module::{Function, Module};
+use crate::parse::shape::Shape;
 use crate::symbols::{Symbols, with_subscript};
 
 /// What the names of one function stand for.
@@ -37,7 +38,7 @@ impl<'a> Names<'a> {
             function
                 .parameters
                 .iter()
-                .filter(|parameter| parameter.kind == ParameterKind::Struct)
+                .filter(|parameter| matches!(parameter.shape, Shape::Struct(_)))
         };
         let alone = |name: &Option<String>| {
             structs()
@@ -90,7 +91,7 @@ pub(super) type Written = syn::Result<Piece>;
 pub(super) fn unsupported<T>(tokens: &impl ToTokens) -> syn::Result<T> {
     Err(syn::Error::new_spanned(
         tokens,
-        format!("`{}` is not a part of a formula", tokens.to_token_stream()),
+        format!("`{}` is not typeset", tokens.to_token_stream()),
     ))
 }
 
@@ -140,6 +141,10 @@ impl<'a> Writer<'a> {
                 self.bound.insert(name, symbol.clone());
                 self.lines.push(Line::new(symbol, &terms));
                 return Ok(());
+            }
+            Stmt::Expr(Expr::ForLoop(turns), _) => {
+                let message = "a loop is not typeset";
+                return Err(syn::Error::new_spanned(turns.for_token, message));
             }
             _ => return unsupported(statement),
         };
@@ -371,7 +376,7 @@ impl<'a> Writer<'a> {
             }
             (_, Some((callee, Some(partial)))) => {
                 let name = &callee.function.name();
-                let Some(by) = self.partial(callee.home, callee.function, &partial) else {
+                let Some(by) = self.partial(callee.function, &partial) else {
                     return unsupported(call);
                 };
                 let arguments = self.arguments(call)?;
@@ -413,30 +418,28 @@ impl<'a> Writer<'a> {
     }
 
     /// What a partial `d_x`, `d_c_y` or `d_x_y` is by.
-    fn partial(&self, module: &Module, function: &Function, partial: &str) -> Option<Vec<String>> {
+    fn partial(&self, function: &Function, partial: &str) -> Option<Vec<String>> {
         let suffix = partial.strip_prefix("d_")?;
-        if let Some(symbol) = self.parameter(module, function, suffix) {
+        if let Some(symbol) = self.parameter(function, suffix) {
             return Some(vec![symbol]);
         }
         suffix.match_indices('_').find_map(|(position, _)| {
             let (one, two) = (suffix.get(..position)?, suffix.get(position + 1..)?);
             Some(vec![
-                self.parameter(module, function, one)?,
-                self.parameter(module, function, two)?,
+                self.parameter(function, one)?,
+                self.parameter(function, two)?,
             ])
         })
     }
 
     /// The symbol of `x`, of the field `c_x`, or of the element `a_0`.
-    fn parameter(&self, module: &Module, function: &Function, name: &str) -> Option<String> {
+    fn parameter(&self, function: &Function, name: &str) -> Option<String> {
         function.parameters.iter().find_map(|parameter| {
             let rest = name.strip_prefix(&parameter.name.to_string())?;
             let inner = rest.strip_prefix('_');
-            match (&parameter.kind, inner) {
-                (ParameterKind::Number, _) => {
-                    rest.is_empty().then(|| self.names.symbols.latex(name))
-                }
-                (ParameterKind::Array(length), Some(index)) => {
+            match (&parameter.shape, inner) {
+                (Shape::Number, _) => rest.is_empty().then(|| self.names.symbols.latex(name)),
+                (Shape::Array(_, length), Some(index)) => {
                     let known = index.parse::<usize>().is_ok_and(|index| index < *length);
                     known.then(|| {
                         with_subscript(
@@ -445,14 +448,11 @@ impl<'a> Writer<'a> {
                         )
                     })
                 }
-                (ParameterKind::Struct, Some(field)) => {
-                    let fields = module
-                        .structs
-                        .iter()
-                        .find(|(name, _)| Some(name) == type_name(&parameter.ty).as_ref());
+                (Shape::Struct(fields), Some(field)) => {
                     // The fields of a struct from elsewhere are not known.
-                    let known =
-                        fields.is_none_or(|(_, fields)| fields.iter().any(|known| known == field));
+                    let known = fields
+                        .as_ref()
+                        .is_none_or(|fields| fields.iter().any(|(known, _)| known == field));
                     known.then(|| self.names.symbols.latex(field))
                 }
                 _ => None,

@@ -222,8 +222,12 @@ fn mistakes_are_told() {
     let shown =
         show::module("#[symbolic] mod m { pub fn f(x: f64) -> f64 { loop { break x } } }").unwrap();
     let error = show::latex(&shown, "f").unwrap_err();
+    assert!(error.to_string().contains("is not typeset"), "{error}");
+    let source = "#[symbolic] mod m { pub fn f(x: f64) -> f64 { let mut y = x; for _ in 0..3 { y += x; } y } }";
+    let shown = show::module(source).unwrap();
+    let error = show::latex(&shown, "f").unwrap_err();
     assert!(
-        error.to_string().contains("is not a part of a formula"),
+        error.to_string().contains("a loop is not typeset"),
         "{error}"
     );
     let error = show::latex(&shown, "g").unwrap_err();

@@ -1,32 +1,44 @@
 //! Follows a function's statements with expressions in place of numbers.
 
+mod assignments;
+mod branches;
 mod calls;
 mod chains;
 mod choices;
+mod iterators;
+mod loops;
 mod methods;
+mod names;
 pub(crate) mod partials;
+mod patterns;
+mod places;
 mod result;
+mod scalars;
+mod scope;
 mod statements;
 mod structs;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use proc_macro2::Span;
+use syn::Expr;
 use syn::spanned::Spanned;
-use syn::{Expr, Lit, Type, UnOp};
 
 use super::attributes::Approximation;
-use super::literal;
-use super::module::{Function, Module, ParameterKind};
-use super::names::names_of;
+use super::module::{Function, Module};
 use super::numbers;
+use super::shape::Shape;
 use super::tabulated::TableSource;
 use super::value::Value;
-use crate::diagnostics::{Diagnostics, nearest};
-use crate::graph::{ExprId, Graph, Node, Role, SymbolId, decimal};
+use crate::diagnostics::Diagnostics;
+use crate::graph::{ExprId, Graph, Node, Role, SymbolId};
+use scope::Scope;
 
-/// Names in scope; those whose value could not be read, which is reported, have none.
-type Scope = BTreeMap<String, Option<Value>>;
+/// A loop that nothing says the turns of, with what to write instead.
+const ENDLESS: (&str, &str) = (
+    "a loop without a range",
+    "loop over a range that is known, `for i in 0..N`, or give the sum as an integral or a function of its own",
+);
 
 /// How deep calls of formulas within formulas may go: each is followed on the stack.
 const DEEPEST_CALL: usize = 256;
@@ -50,8 +62,12 @@ pub struct Reader<'m> {
     pub named: BTreeSet<SymbolId>,
     /// How many calls are being followed.
     depth: usize,
-    /// Whether calls went deeper than they may.
-    pub too_deep: bool,
+    /// How many statements were followed.
+    statements: usize,
+    /// The outermost loop that is being followed.
+    outermost_loop: Option<Span>,
+    /// Whether calls went deeper, or statements were more, than they may; nothing is followed from there on.
+    pub is_beyond: bool,
     /// Whether something could not be read for a mistake in a linked module, which reports it.
     pub linked_mistake: bool,
     /// The values of expressions that depend on no input, by position, as far as they were asked for.
@@ -73,7 +89,9 @@ impl<'m> Reader<'m> {
             partials: BTreeSet::new(),
             named: BTreeSet::new(),
             depth: 0,
-            too_deep: false,
+            statements: 0,
+            outermost_loop: None,
+            is_beyond: false,
             linked_mistake: false,
             constants: Vec::new(),
         }
@@ -81,7 +99,7 @@ impl<'m> Reader<'m> {
 
     /// The function's result over symbols named as its parameters. `None` if something was reported.
     pub fn read(&mut self, function: &Function) -> Option<Value> {
-        for number in numbers::known(self.module, function) {
+        for number in numbers::known(function) {
             let in_a_struct = number.contains('.');
             if !in_a_struct {
                 self.symbol(&Role::Input, &number);
@@ -128,7 +146,7 @@ impl<'m> Reader<'m> {
     fn assume_domain(&mut self, function: &Function) {
         for (symbol, domain, _) in &function.domain {
             // What is no number of the function is reported with the module.
-            if numbers::misfit(self.module, function, symbol).is_none() {
+            if numbers::misfit(function, symbol).is_none() {
                 let id = self.symbol(&Role::Input, symbol);
                 self.graph.assume(id, *domain);
             }
@@ -157,36 +175,38 @@ impl<'m> Reader<'m> {
     }
 
     fn symbolic_arguments(&mut self, function: &Function, role: &Role) -> Vec<Value> {
-        let module = self.module;
-        let mut symbol = |name: String| {
-            let id = self.symbol(role, &name);
-            Value::Number(self.graph.symbol_expression(id))
-        };
-        let mut arguments = Vec::new();
-        for parameter in &function.parameters {
-            let name = parameter.name.to_string();
-            arguments.push(match parameter.kind {
-                ParameterKind::Number => symbol(name),
-                ParameterKind::Array(length) => Value::Array(
-                    (0..length)
-                        .map(|i| symbol(format!("{name}[{i}]")))
-                        .collect(),
-                ),
-                ParameterKind::Struct => Value::Parameter {
-                    path: name,
-                    role: role.clone(),
-                    fields: module.fields_of(&parameter.ty).map(<[_]>::to_vec),
-                    replaced: Vec::new(),
-                },
-            });
+        let parameters = function.parameters.iter();
+        parameters
+            .map(|parameter| self.symbolic(&parameter.shape, parameter.name.to_string(), role))
+            .collect()
+    }
+
+    /// A value over symbols of that name; those of a struct are made when its fields are read.
+    fn symbolic(&mut self, shape: &Shape, path: String, role: &Role) -> Value {
+        match shape {
+            Shape::Number => {
+                let id = self.symbol(role, &path);
+                Value::Number(self.graph.symbol_expression(id))
+            }
+            Shape::Array(element, length) => {
+                let places = 0..*length;
+                let elements =
+                    places.map(|place| self.symbolic(element, format!("{path}[{place}]"), role));
+                Value::Array(elements.collect())
+            }
+            Shape::Struct(fields) => Value::Parameter {
+                path,
+                role: role.clone(),
+                fields: fields.clone(),
+                replaced: Vec::new(),
+            },
         }
-        arguments
     }
 
     /// The function's result for these arguments.
     fn call(&mut self, function: &Function, arguments: Vec<Value>) -> Option<Value> {
         if self.depth == DEEPEST_CALL {
-            self.too_deep = true;
+            self.is_beyond = true;
             let hint = "give the value between two calls as a parameter of a function of its own";
             self.diagnostics.error_with_hint(
                 function.item.sig.ident.span(),
@@ -208,7 +228,7 @@ impl<'m> Reader<'m> {
             .map(|parameter| parameter.name.to_string());
         // Parameters that can't be taken are known, so that their uses are not reported too.
         let bound = function.bound_names().into_iter();
-        let mut scope: Scope = bound.map(|name| (name, None)).collect();
+        let mut scope = Scope::from(bound.map(|name| (name, None)));
         scope.extend(names.zip(arguments.into_iter().map(Some)));
         self.block(&function.item.block, &mut scope, true)
     }
@@ -222,12 +242,16 @@ impl<'m> Reader<'m> {
         match expression {
             Expr::Lit(literal) => self.literal(&literal.lit),
             Expr::Path(path) => self.path(&path.path, scope),
-            Expr::Block(inner) => self.block(&inner.block, &mut scope.clone(), false),
+            Expr::Block(inner) => self.block(&inner.block, scope, false),
+            Expr::Assign(assign) => self.assignment(assign, scope),
+            Expr::Binary(binary) => self.compound(binary, scope),
+            Expr::ForLoop(turns) => self.for_loop(turns, scope),
+            Expr::Range(range) => self.range(range, scope),
             Expr::Call(call) => self.function_call(call, scope),
-            Expr::Field(field) => self.field(field, scope),
-            Expr::Index(index) => self.element(index, scope),
+            Expr::Field(_) | Expr::Index(_) => self.access(expression, scope),
             Expr::Tuple(tuple) => self.all(tuple.elems.iter(), scope).map(Value::Tuple),
             Expr::Array(array) => self.all(array.elems.iter(), scope).map(Value::Array),
+            Expr::Repeat(repeat) => self.repeated(repeat, scope),
             Expr::Struct(literal) => self.struct_literal(literal, scope),
             Expr::If(choice) => self.choice(choice, scope),
             Expr::Match(choice) => self.matched(choice, scope),
@@ -239,12 +263,9 @@ impl<'m> Reader<'m> {
     fn unsupported_expression(&mut self, expression: &Expr) -> Option<Value> {
         let span = expression.span();
         match expression {
-            Expr::ForLoop(_) | Expr::While(_) | Expr::Loop(_) => {
-                self.unsupported(span, "a loop", "write the terms out, or give the sum as an integral or a function of its own")
-            }
+            Expr::While(_) | Expr::Loop(_) => self.unsupported(span, ENDLESS.0, ENDLESS.1),
             Expr::Macro(_) => self.unsupported(span, "a macro call", "write the expression out"),
-            Expr::Assign(_) => self.unsupported(span, "an assignment", "bind the new value with `let`"),
-            Expr::Closure(_) => self.unsupported(span, "a closure here", "closures are the integrands of `integral(|x| …, a..b)`"),
+            Expr::Closure(_) => self.unsupported(span, "a closure here", "closures are the integrands of `integral(|x| …, a..b)`, and what `map` and `fold` of an array call"),
             _ => self.unsupported(span, "this expression", "formulas are + - * /, methods such as powi, sqrt, sin and max, `if`, and calls of other formulas"),
         }
     }
@@ -253,28 +274,6 @@ impl<'m> Reader<'m> {
         self.diagnostics
             .error_with_hint(span, format!("{what} is not a part of a formula"), hint);
         None
-    }
-
-    /// Evaluates an expression that must be one number.
-    fn number(&mut self, expression: &Expr, scope: &mut Scope) -> Option<ExprId> {
-        let value = self.expression(expression, scope)?;
-        self.number_of(value, expression)
-    }
-
-    /// The one number that the value of an expression must be.
-    fn number_of(&mut self, value: Value, expression: &Expr) -> Option<ExprId> {
-        match value {
-            Value::Number(id) => Some(id),
-            other => {
-                let message = format!("a number is needed here, this is {}", other.description());
-                self.diagnostics.error_with_hint(
-                    expression.span(),
-                    message,
-                    other.way_to_a_number(),
-                );
-                None
-            }
-        }
     }
 
     /// Evaluates all, so that every mistake is reported.
@@ -288,177 +287,6 @@ impl<'m> Reader<'m> {
             .collect();
         values.into_iter().collect()
     }
-
-    fn literal(&mut self, literal: &Lit) -> Option<Value> {
-        let value = match literal {
-            Lit::Float(value) if matches!(value.suffix(), "" | "f64") => {
-                decimal(value.base10_digits())
-            }
-            Lit::Int(value) if value.suffix() == "f64" => decimal(value.base10_digits()),
-            Lit::Int(value) => {
-                let hint = format!("write `{}.0`", value.base10_digits());
-                return self.unsupported(literal.span(), "a whole number literal", &hint);
-            }
-            _ => return self.unsupported(literal.span(), "this literal", "numbers are f64"),
-        };
-        match value {
-            Some(value) => Some(Value::Number(self.graph.number(value))),
-            None => self.unsupported(
-                literal.span(),
-                "a number of this size",
-                "an f64 holds up to 1.8e308",
-            ),
-        }
-    }
-
-    /// `2 as f64`: the number that a whole number literal is; what is an `f64` stays as it is.
-    fn cast(&mut self, cast: &syn::ExprCast, scope: &mut Scope) -> Option<Value> {
-        let hint = "all numbers of a formula are f64: write `2.0`, or `2 as f64`";
-        if !matches!(cast.ty.as_ref(), Type::Path(path) if path.path.is_ident("f64")) {
-            return self.unsupported(cast.ty.span(), "a cast to another type", hint);
-        }
-        let (mut inner, mut negative) = (cast.expr.as_ref(), false);
-        loop {
-            inner = match inner {
-                Expr::Paren(paren) => &paren.expr,
-                Expr::Group(group) => &group.expr,
-                Expr::Unary(unary) if matches!(unary.op, UnOp::Neg(_)) => {
-                    negative = !negative;
-                    &unary.expr
-                }
-                _ => break,
-            };
-        }
-        if let Expr::Lit(syn::ExprLit {
-            lit: Lit::Int(whole),
-            ..
-        }) = inner
-            && !matches!(whole.suffix(), "f32" | "f64")
-            && let Some(number) = decimal(whole.base10_digits())
-        {
-            let number = self.graph.number(if negative { -number } else { number });
-            return Some(Value::Number(number));
-        }
-        let number = self.number(&cast.expr, scope)?;
-        Some(Value::Number(number))
-    }
-
-    fn path(&mut self, path: &syn::Path, scope: &mut Scope) -> Option<Value> {
-        let last = path.segments.last()?;
-        let name = last.ident.to_string();
-        if path.segments.len() == 1
-            && let Some(value) = scope.get(&name)
-        {
-            let value = value.clone()?;
-            self.note(&value);
-            return Some(value);
-        }
-        let module = self.module;
-        if let Some((home, name)) = module.constant(path) {
-            return self.constant_of(home, name);
-        }
-        if let Some(standard) = self.module.imports.constant(path)
-            && let Some(id) = literal::constant(&mut self.graph, &standard)
-        {
-            return Some(Value::Number(id));
-        }
-        if let Some(value) = names_of(path).strip_suffix(std::slice::from_ref(&name))
-            && is_type(value)
-            && let Some(value) = literal::of_type(&name)
-        {
-            return Some(Value::Number(self.graph.number(value)));
-        }
-        if literal::CONSTANTS.contains(&name.as_str()) || path.segments.len() > 1 {
-            self.diagnostics.error_with_hint(
-                path.span(),
-                format!("the value of `{name}` is not known here"),
-                "constants are those of the module and of std::f64::consts, by their path or imported in the module, and f64::EPSILON, MAX, MIN and MIN_POSITIVE",
-            );
-            return None;
-        }
-        let constants = self
-            .module
-            .constants
-            .iter()
-            .map(|(constant, _)| constant.as_str());
-        let known = scope.keys().map(String::as_str).chain(constants);
-        let hint = match nearest(&name, known) {
-            Some(candidate) => format!("did you mean `{candidate}`?"),
-            None => "names are parameters, `let` bindings, constants of the module and of std::f64::consts".to_owned(),
-        };
-        self.diagnostics
-            .error_with_hint(path.span(), format!("unknown name `{name}`"), hint);
-        None
-    }
-
-    /// The value of a constant of a module.
-    fn constant_of(&mut self, home: &'m Module, name: &str) -> Option<Value> {
-        if home.cyclic_constants.contains(name) {
-            return None;
-        }
-        let mut constants = home.constants.iter();
-        let (_, value) = constants.find(|(constant, _)| constant == name)?;
-        self.within(home, |reader| reader.expression(value, &mut Scope::new()))
-    }
-
-    /// What work gives that looks names up in another module.
-    fn within<T>(&mut self, home: &'m Module, work: impl FnOnce(&mut Self) -> T) -> T {
-        let before = std::mem::replace(&mut self.module, home);
-        let result = work(self);
-        self.module = before;
-        result
-    }
-
-    fn element(&mut self, index: &syn::ExprIndex, scope: &mut Scope) -> Option<Value> {
-        let base = self.expression(&index.expr, scope)?;
-        let Expr::Lit(syn::ExprLit {
-            lit: Lit::Int(position),
-            ..
-        }) = index.index.as_ref()
-        else {
-            return self.unsupported(
-                index.index.span(),
-                "this index",
-                "an index is a whole number literal",
-            );
-        };
-        let position = position.base10_parse::<usize>().ok();
-        match base {
-            Value::Array(values) => {
-                let length = values.len();
-                let element = position.and_then(|position| values.into_iter().nth(position));
-                if element.is_none() {
-                    let hint = match length.checked_sub(1) {
-                        Some(last) => format!("its last one is `[{last}]`"),
-                        None => "it is empty".to_owned(),
-                    };
-                    self.diagnostics.error_with_hint(
-                        index.index.span(),
-                        format!("the array has {length} elements"),
-                        hint,
-                    );
-                }
-                element.inspect(|element| self.note(element))
-            }
-            other => {
-                let message = format!("{} has no elements", other.description());
-                self.diagnostics.error_with_hint(
-                    index.expr.span(),
-                    message,
-                    other.way_to_a_number(),
-                );
-                None
-            }
-        }
-    }
-}
-
-/// Whether a path is that of the type `f64`, or of the module of its name that has its constants.
-fn is_type(path: &[String]) -> bool {
-    matches!(path, [name] | [_, name] if name == "f64")
-        && path
-            .first()
-            .is_some_and(|first| ["f64", "std", "core"].contains(&first.as_str()))
 }
 
 /// `c.beta` as an identifier: `c_beta`; `a[0]`: `a_0`; `r#type`: `type_`.

@@ -30,6 +30,9 @@ impl Condition {
     /// `self && other`; a chain is one list, so that no walk of it is as deep as it is long.
     pub fn and(self, other: Self) -> Self {
         match self {
+            Self::Known(true) => other,
+            Self::Known(false) => self,
+            first if other == Self::Known(true) => first,
             Self::All(mut conditions) => {
                 conditions.push(other);
                 Self::All(conditions)
@@ -41,6 +44,9 @@ impl Condition {
     /// `self || other`
     pub fn or(self, other: Self) -> Self {
         match self {
+            Self::Known(false) => other,
+            Self::Known(true) => self,
+            first if other == Self::Known(false) => first,
             Self::Any(mut conditions) => {
                 conditions.push(other);
                 Self::Any(conditions)

@@ -12,6 +12,7 @@ use super::attributes::{Approximation, FunctionAttributes, OWN, Request, Special
 use super::imports::Imports;
 use super::names::{Kind, Linked};
 use super::place::Place;
+use super::shape::Shape;
 use super::{cycles, numbers, signature, specialise};
 use crate::diagnostics::Diagnostics;
 use crate::graph::{Domain, Sizes};
@@ -32,8 +33,8 @@ pub struct Module {
     pub imports: Imports,
     /// Constants whose value is needed for itself; that is reported, they have none.
     pub cyclic_constants: BTreeSet<String>,
-    /// Its structs: name and fields.
-    pub structs: Vec<(String, Vec<String>)>,
+    /// Its structs: name and fields, each with its type.
+    pub structs: Vec<(String, Vec<(String, Type)>)>,
     /// How large the numbers are that its functions are given.
     pub sizes: Sizes,
     /// Where numbers of some names lie wherever a function takes them.
@@ -78,20 +79,9 @@ pub struct Parameter {
     /// Its name.
     pub name: Ident,
     /// What it holds.
-    pub kind: ParameterKind,
+    pub shape: Shape,
     /// Its type as written.
     pub ty: Type,
-}
-
-/// What a parameter holds.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum ParameterKind {
-    /// One `f64`.
-    Number,
-    /// `[f64; n]`.
-    Array(usize),
-    /// A struct with fields of type `f64`.
-    Struct,
 }
 
 impl Function {
@@ -179,9 +169,15 @@ impl Module {
             );
             return module;
         };
+        // Types of parameters say structs and constants by their names.
+        for item in items.iter() {
+            module.read_item(item);
+        }
         let mut specialisations = Vec::new();
         for item in items.iter_mut() {
-            specialisations.extend(module.read_item(item, diagnostics));
+            if let Item::Fn(function) = item {
+                specialisations.extend(module.read_function(function, diagnostics));
+            }
         }
         module.item = item;
         numbers::check_domains(&module, diagnostics);
@@ -189,21 +185,16 @@ impl Module {
         for (original, specialisation) in specialisations {
             module.specialise(&original, specialisation, diagnostics);
         }
-        numbers::check_targets(&module, diagnostics);
+        numbers::settle_targets(&mut module, diagnostics);
         cycles::check(&mut module, diagnostics);
         module
     }
 
-    /// Adds what an item says; what is to be specialised from a function, is left for later.
-    fn read_item(
-        &mut self,
-        item: &mut Item,
-        diagnostics: &mut Diagnostics,
-    ) -> Vec<(String, Specialisation)> {
+    /// Adds what an item says, but for functions.
+    fn read_item(&mut self, item: &Item) {
         match item {
             Item::Fn(function) => {
                 self.note_private(Kind::Function, &function.sig.ident, &function.vis);
-                return self.read_function(function, diagnostics);
             }
             Item::Const(constant) => {
                 self.note_private(Kind::Constant, &constant.ident, &constant.vis);
@@ -213,9 +204,12 @@ impl Module {
             Item::Struct(item) => {
                 self.note_private(Kind::Struct, &item.ident, &item.vis);
                 let fields = item.fields.iter().enumerate();
-                let fields = fields.map(|(position, field)| match &field.ident {
-                    Some(name) => name.to_string(),
-                    None => position.to_string(),
+                let fields = fields.map(|(position, field)| {
+                    let name = field.ident.as_ref().map(ToString::to_string);
+                    (
+                        name.unwrap_or_else(|| position.to_string()),
+                        field.ty.clone(),
+                    )
                 });
                 self.structs
                     .push((item.ident.to_string(), fields.collect()));
@@ -223,7 +217,6 @@ impl Module {
             Item::Use(import) => self.imports.read(import),
             _ => {}
         }
-        Vec::new()
     }
 
     fn note_private(&mut self, kind: Kind, name: &Ident, visibility: &Visibility) {
@@ -241,17 +234,6 @@ impl Module {
     pub fn runs_on_lanes(&self) -> bool {
         let mut requests = self.functions.iter().flat_map(|known| &known.request);
         requests.any(|request| request.columns || !request.stages.is_empty())
-    }
-
-    /// The fields of a struct of the module, or of one that it links, by its type or a reference to it; those of a struct
-    /// from elsewhere are not known.
-    pub fn fields_of(&self, ty: &Type) -> Option<&[String]> {
-        match ty {
-            Type::Reference(reference) => self.fields_of(&reference.elem),
-            Type::Paren(paren) => self.fields_of(&paren.elem),
-            Type::Path(path) if path.qself.is_none() => self.fields_at(&path.path),
-            _ => None,
-        }
     }
 
     fn specialise(
@@ -274,7 +256,7 @@ impl Module {
             return;
         };
         let function = Rc::clone(&self.functions[position]);
-        if let Some(special) = specialise::function(self, &function, specialisation, diagnostics) {
+        if let Some(special) = specialise::function(&function, specialisation, diagnostics) {
             self.functions.insert(position, Rc::new(special));
             let names = self.functions.iter().map(|function| function.name());
             self.places = names.zip(0..).collect();
@@ -299,7 +281,7 @@ impl Module {
             item.attrs.push(syn::parse_quote!(#[allow(dead_code)]));
         }
         let before = diagnostics.len();
-        let parameters = signature::read(item, diagnostics);
+        let parameters = signature::read(self, item, diagnostics);
         let mut function = Function {
             item: item.clone(),
             parameters,

@@ -3,7 +3,7 @@
 
 use std::rc::Rc;
 
-use syn::Path;
+use syn::{Path, Type};
 
 use super::module::{Function, Module};
 use super::place::Place;
@@ -81,12 +81,12 @@ impl Module {
         Some((found.home, name))
     }
 
-    /// The fields of a struct that is known, by its path.
-    pub fn fields_at(&self, path: &Path) -> Option<&[String]> {
+    /// The fields of a struct that is known, by its path, with the module that it is in.
+    pub fn fields_at(&self, path: &Path) -> Option<(&Module, &[(String, Type)])> {
         let found = self.find(&names_of(path), Kind::Struct).ok()?;
         let mut structs = found.home.structs.iter();
         let (_, fields) = structs.find(|(name, _)| *name == found.name)?;
-        Some(fields)
+        Some((found.home, fields))
     }
 
     /// What a path in the module's own items stands for.

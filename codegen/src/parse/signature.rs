@@ -2,14 +2,19 @@
 
 use quote::ToTokens;
 use syn::spanned::Spanned;
-use syn::{FnArg, ItemFn, Pat, Safety, Type};
+use syn::{FnArg, ItemFn, Pat, Safety};
 
 use super::attributes::Approximation;
-use super::module::{Function, Parameter, ParameterKind};
+use super::module::{Function, Module, Parameter};
+use super::shape::{MOST_NUMBERS, Shape};
 use crate::diagnostics::Diagnostics;
 
 /// The parameters that can be taken; whatever else the signature holds is reported.
-pub(super) fn read(item: &ItemFn, diagnostics: &mut Diagnostics) -> Vec<Parameter> {
+pub(super) fn read(
+    module: &Module,
+    item: &ItemFn,
+    diagnostics: &mut Diagnostics,
+) -> Vec<Parameter> {
     let safety = match &item.sig.safety {
         Safety::Safe(word) => Some(("safe", word.span())),
         Safety::Unsafe(word) => Some(("unsafe", word.span())),
@@ -34,11 +39,11 @@ pub(super) fn read(item: &ItemFn, diagnostics: &mut Diagnostics) -> Vec<Paramete
     item.sig
         .inputs
         .iter()
-        .filter_map(|input| parameter(input, diagnostics))
+        .filter_map(|input| parameter(module, input, diagnostics))
         .collect()
 }
 
-fn parameter(input: &FnArg, diagnostics: &mut Diagnostics) -> Option<Parameter> {
+fn parameter(module: &Module, input: &FnArg, diagnostics: &mut Diagnostics) -> Option<Parameter> {
     let FnArg::Typed(typed) = input else {
         diagnostics.error_with_hint(
             input.span(),
@@ -55,69 +60,22 @@ fn parameter(input: &FnArg, diagnostics: &mut Diagnostics) -> Option<Parameter> 
         );
         return None;
     };
-    let kind = parameter_kind(&typed.ty);
-    let Some(kind) = kind else {
+    let Some(shape) = Shape::of(module, &typed.ty) else {
         diagnostics.error_with_hint(
             typed.ty.span(),
             format!(
                 "a parameter can't be of type `{}`",
                 typed.ty.to_token_stream()
             ),
-            "parameters are f64, [f64; n], or a struct of f64 by reference or value",
+            format!("parameters are f64, arrays [f64; N] of a known length, and structs of these, of up to {MOST_NUMBERS} numbers, by value or reference"),
         );
         return None;
     };
     Some(Parameter {
         name: name.ident.clone(),
-        kind,
+        shape,
         ty: (*typed.ty).clone(),
     })
-}
-
-/// The most elements of an array: each is a symbol of its own.
-const MOST_ELEMENTS: usize = 4096;
-
-/// Whether the path is a type of the language that no formula computes with.
-pub(super) fn is_other_type(path: &syn::Path) -> bool {
-    const OTHER: [&str; 16] = [
-        "f32", "i8", "i16", "i32", "i64", "i128", "isize", "u8", "u16", "u32", "u64", "u128",
-        "usize", "bool", "char", "String",
-    ];
-    path.segments
-        .last()
-        .is_some_and(|last| OTHER.iter().any(|name| last.ident == name))
-}
-
-fn parameter_kind(ty: &Type) -> Option<ParameterKind> {
-    match ty {
-        // Numbers come by value: the generated code computes with them as they are.
-        Type::Reference(reference) => {
-            parameter_kind(&reference.elem).filter(|kind| *kind != ParameterKind::Number)
-        }
-        Type::Paren(paren) => parameter_kind(&paren.elem),
-        Type::Array(array) => {
-            let syn::Expr::Lit(syn::ExprLit {
-                lit: syn::Lit::Int(length),
-                ..
-            }) = &array.len
-            else {
-                return None;
-            };
-            let of_numbers = parameter_kind(&array.elem) == Some(ParameterKind::Number);
-            length
-                .base10_parse()
-                .ok()
-                .filter(|length| of_numbers && *length <= MOST_ELEMENTS)
-                .map(ParameterKind::Array)
-        }
-        Type::Path(path) if path.path.is_ident("f64") => Some(ParameterKind::Number),
-        Type::Path(path) => {
-            let last = path.path.segments.last()?;
-            let plain = !is_other_type(&path.path) && last.arguments.is_none();
-            plain.then_some(ParameterKind::Struct)
-        }
-        _ => None,
-    }
 }
 
 /// Reports what an approximation asks for that the function does not have.
@@ -131,8 +89,7 @@ pub(super) fn check_approximation(
         // The parameter is reported itself.
         return;
     }
-    let fits =
-        matches!(function.parameters.as_slice(), [only] if only.kind == ParameterKind::Number);
+    let fits = matches!(function.parameters.as_slice(), [only] if only.shape == Shape::Number);
     if !(fits && inputs == 1) {
         diagnostics.error_with_hint(
             function.item.sig.inputs.span(),

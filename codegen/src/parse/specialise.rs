@@ -4,27 +4,19 @@ use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 use syn::{Expr, Type};
 
-use super::attributes::{Specialisation, Target, root};
-use super::module::{Function, Module, Parameter, ParameterKind};
+use super::attributes::{Specialisation, Target};
+use super::module::{Function, Parameter};
 use super::numbers;
+use super::shape::Shape;
 use crate::diagnostics::Diagnostics;
 
 /// The function `special(rest) { original(…replacements…) }`.
 pub(super) fn function(
-    module: &Module,
     function: &Function,
     specialisation: Specialisation,
     diagnostics: &mut Diagnostics,
 ) -> Option<Function> {
-    let before = diagnostics.len();
-    for (target, _) in &specialisation.replacements {
-        if function.parameter(&target.symbol).is_none() {
-            numbers::check(module, function, target, diagnostics);
-        }
-    }
-    if diagnostics.len() > before {
-        return None;
-    }
+    check_replaced(function, &specialisation, diagnostics)?;
     let replaced = |symbol: &str| {
         let mut all = specialisation.replacements.iter();
         all.find(|(target, _)| target.symbol == symbol)
@@ -55,8 +47,14 @@ pub(super) fn function(
         #visibility fn #name(#(#inputs),*) #output { #original(#(#arguments),*) }
     });
     let domain = function.domain.iter();
-    let domain = domain
-        .filter(|(symbol, ..)| replaced(symbol).is_none() && replaced(root(symbol)).is_none());
+    let is_replaced = |symbol: &str| {
+        let mut all = specialisation.replacements.iter();
+        all.any(|(target, _)| {
+            let rest = symbol.strip_prefix(&target.symbol);
+            rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
+        })
+    };
+    let domain = domain.filter(|(symbol, ..)| !is_replaced(symbol));
     match item {
         Ok(item) => Some(Function {
             item,
@@ -72,6 +70,35 @@ pub(super) fn function(
             None
         }
     }
+}
+
+/// Reports what is replaced and is no parameter, and no field or element of one.
+fn check_replaced(
+    function: &Function,
+    specialisation: &Specialisation,
+    diagnostics: &mut Diagnostics,
+) -> Option<()> {
+    let before = diagnostics.len();
+    let is_known = |target: &Target, part: &str| {
+        let parameter = function.parameter(target.root());
+        parameter.is_some_and(|parameter| parameter.shape.part(target.root(), part).is_ok())
+    };
+    for (target, _) in &specialisation.replacements {
+        let part = &target.symbol[target.root().len()..];
+        if part.matches(['.', '[']).count() > 1 {
+            diagnostics.error_with_hint(
+                target.span,
+                format!(
+                    "`{}` is a part of a part, which is not replaced by itself",
+                    target.symbol
+                ),
+                "replace the parameter as a whole, or its field or element",
+            );
+        } else if !is_known(target, part) {
+            numbers::check(function, target, diagnostics);
+        }
+    }
+    (diagnostics.len() == before).then_some(())
 }
 
 /// What the original is called with in a parameter's place.
@@ -95,7 +122,7 @@ fn argument(parameter: &Parameter, replacements: &[(Target, Expr)]) -> TokenStre
         let found = of_it.iter().find(|(target, _)| target.symbol == symbol);
         found.map(|(_, expression)| expression)
     };
-    if let ParameterKind::Array(length) = parameter.kind {
+    if let Shape::Array(_, length) = parameter.shape {
         let elements = (0..length).map(|position| {
             let place = proc_macro2::Literal::usize_unsuffixed(position);
             replacement(format!("{text}[{position}]"))

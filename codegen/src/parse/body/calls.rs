@@ -10,8 +10,9 @@ use super::{Reader, Scope};
 use crate::diagnostics::{Diagnostics, nearest};
 use crate::graph::Role;
 use crate::parse::known_methods;
-use crate::parse::module::{Function, ParameterKind};
+use crate::parse::module::Function;
 use crate::parse::names::{Callee, Kind, Miss, names_of};
+use crate::parse::shape::Shape;
 use crate::parse::value::Value;
 
 const WHERE_FORMULAS_ARE: &str =
@@ -39,6 +40,12 @@ impl<'m> Reader<'m> {
             return self.integral(call, scope);
         }
         let Some((callee, form)) = module.callee(&path.path) else {
+            if let [of, method] = names_of(&path.path).as_slice()
+                && of == "f64"
+                && method == "from"
+            {
+                return self.number_from(call, scope);
+            }
             if let [of, method] = names_of(&path.path).as_slice()
                 && of == "f64"
                 && let Some(last) = path.path.segments.last()
@@ -154,20 +161,14 @@ impl<'m> Reader<'m> {
         for ((argument, parameter), expression) in
             arguments.iter().zip(&function.parameters).zip(&call.args)
         {
-            let fits = match parameter.kind {
-                ParameterKind::Number => matches!(argument, Value::Number(_)),
-                ParameterKind::Array(length) => {
-                    matches!(argument, Value::Array(values) if values.len() == length)
-                }
-                ParameterKind::Struct => {
-                    matches!(argument, Value::Parameter { .. } | Value::Struct { .. })
-                }
-            };
-            if !fits {
-                let hint = match parameter.kind {
-                    ParameterKind::Number => "it is a number".to_owned(),
-                    ParameterKind::Array(length) => format!("it is an array of {length} numbers"),
-                    ParameterKind::Struct => "it is a struct".to_owned(),
+            if !suits(&parameter.shape, argument) {
+                let hint = match &parameter.shape {
+                    Shape::Number => "it is a number".to_owned(),
+                    Shape::Array(element, length) if **element == Shape::Number => {
+                        format!("it is an array of {length} numbers")
+                    }
+                    Shape::Array(_, length) => format!("it is an array of {length} elements"),
+                    Shape::Struct(_) => "it is a struct".to_owned(),
                 };
                 self.diagnostics.error_with_hint(
                     expression.span(),
@@ -175,7 +176,10 @@ impl<'m> Reader<'m> {
                         "`{}` of `{}` can't be {}",
                         parameter.name,
                         function.name(),
-                        argument.description()
+                        match argument {
+                            Value::Array(_) => "this array",
+                            other => other.description(),
+                        }
                     ),
                     hint,
                 );
@@ -196,7 +200,7 @@ impl<'m> Reader<'m> {
             let before = self.diagnostics.len();
             let result = self.call(function, arguments);
             // What is too deep is so wherever the calls begin.
-            if result.is_none() && !self.too_deep {
+            if result.is_none() && !self.is_beyond {
                 let reasons = self.diagnostics.split_off(before);
                 self.explain_failed_call(function, &reasons, span);
             }
@@ -287,12 +291,25 @@ impl<'m> Reader<'m> {
         let symbol = self
             .graph
             .symbol_of(Role::Variable(self.integrals), &variable);
-        let mut inner = scope.clone();
+        let mark = scope.enter();
         let value = Value::Number(self.graph.symbol_expression(symbol));
-        inner.insert(variable, Some(value));
-        let integrand = self.number(&closure.body, &mut inner)?;
+        scope.bind(variable, Some(value));
+        let integrand = self.number(&closure.body, scope);
+        scope.leave(mark);
         Some(Value::Number(
-            self.graph.integral(symbol, integrand, lower?, upper?),
+            self.graph.integral(symbol, integrand?, lower?, upper?),
         ))
+    }
+}
+
+/// Whether a value may be given for a parameter.
+fn suits(shape: &Shape, value: &Value) -> bool {
+    match (shape, value) {
+        (Shape::Number, Value::Number(_)) => true,
+        (Shape::Array(element, length), Value::Array(values)) => {
+            values.len() == *length && values.iter().all(|value| suits(element, value))
+        }
+        (Shape::Struct(_), Value::Parameter { .. } | Value::Struct { .. }) => true,
+        _ => false,
     }
 }

@@ -1,9 +1,11 @@
 //! Operators and methods: what begins with another expression, followed without recursion, so that a sum of 20,000 terms takes
 //! no more of the stack than one of two.
 
+use proc_macro2::Span;
 use syn::spanned::Spanned;
 use syn::{BinOp, Expr, ExprBinary, Lit, UnOp};
 
+use super::assignments::assigns;
 use super::choices::is_logical;
 use super::methods::Called;
 use super::{Reader, Scope};
@@ -17,7 +19,7 @@ fn beginning(expression: &Expr) -> Option<&Expr> {
         Expr::Group(inner) => &inner.expr,
         Expr::Reference(inner) => &inner.expr,
         Expr::Unary(unary) => &unary.expr,
-        Expr::Binary(binary) => &binary.left,
+        Expr::Binary(binary) if !assigns(&binary.op) => &binary.left,
         Expr::MethodCall(call) => &call.receiver,
         _ => return None,
     })
@@ -47,7 +49,8 @@ impl<'m> Reader<'m> {
         // The terms of a chain `a + b - c`; parentheses close a sum, for they say how its author wants it rounded.
         let mut terms = Terms::new();
         while let Some(link) = links.pop() {
-            let Some(sum) = as_sum(link) else {
+            let of_whole = terms.is_empty() && matches!(value, Some(Value::Whole(_)));
+            let Some(sum) = as_sum(link).filter(|_| !of_whole) else {
                 value = self.link(link, value, scope);
                 continue;
             };
@@ -82,22 +85,33 @@ impl<'m> Reader<'m> {
     fn link(&mut self, link: &Expr, value: Option<Value>, scope: &mut Scope) -> Option<Value> {
         match link {
             Expr::Binary(binary) if is_logical(&binary.op) => self.logical(binary, value, scope),
-            Expr::Binary(binary) => {
-                let left = value.and_then(|value| self.number_of(value, &binary.left));
-                self.product(binary, left, scope)
-            }
-            Expr::MethodCall(call) => {
-                let receiver = value.and_then(|value| self.number_of(value, &call.receiver));
-                self.method(&Called::of(call), receiver, scope)
-            }
-            Expr::Unary(unary) if matches!(unary.op, UnOp::Neg(_)) => {
-                let operand = self.number_of(value?, &unary.expr)?;
-                if is_zero(&unary.expr) {
-                    let hint = "a zero has no sign in a formula: write `0.0`";
-                    return self.unsupported(unary.span(), "a negative zero", hint);
+            Expr::Binary(binary) => match value {
+                Some(Value::Whole(left)) => self.of_whole_numbers(binary, left, scope),
+                value => {
+                    let left = value.and_then(|value| self.number_of(value, &binary.left));
+                    self.product(binary, left, scope)
                 }
-                Some(Value::Number(self.graph.negate(operand)))
-            }
+            },
+            Expr::MethodCall(call) => match value {
+                Some(value @ (Value::Array(_) | Value::Iterator(_))) => {
+                    self.method_of_many(call, value, scope)
+                }
+                value => {
+                    let receiver = value.and_then(|value| self.number_of(value, &call.receiver));
+                    self.method(&Called::of(call), receiver, scope)
+                }
+            },
+            Expr::Unary(unary) if matches!(unary.op, UnOp::Neg(_)) => match value? {
+                Value::Whole(value) => Some(Value::Whole(-value)),
+                value => {
+                    let operand = self.number_of(value, &unary.expr)?;
+                    if is_zero(&unary.expr) {
+                        let hint = "a zero has no sign in a formula: write `0.0`";
+                        return self.unsupported(unary.span(), "a negative zero", hint);
+                    }
+                    Some(Value::Number(self.graph.negate(operand)))
+                }
+            },
             Expr::Unary(unary) if matches!(unary.op, UnOp::Not(_)) => {
                 self.negation(value?, &unary.expr)
             }
@@ -106,33 +120,74 @@ impl<'m> Reader<'m> {
         }
     }
 
+    /// A product, or what else an operator makes of a whole number and another one.
+    fn of_whole_numbers(
+        &mut self,
+        binary: &ExprBinary,
+        left: i64,
+        scope: &mut Scope,
+    ) -> Option<Value> {
+        let right = self.expression(&binary.right, scope)?;
+        if !matches!(right, Value::Whole(_)) && !matches!(binary.op, BinOp::Rem(_)) {
+            // That the left one has to be a number is said at it.
+            return self
+                .number_of(Value::Whole(left), &binary.left)
+                .map(Value::Number);
+        }
+        self.whole_operation(binary, left, right)
+    }
+
     fn product(
         &mut self,
         binary: &ExprBinary,
         left: Option<ExprId>,
         scope: &mut Scope,
     ) -> Option<Value> {
-        let multiplies = match binary.op {
-            BinOp::Mul(_) => true,
-            BinOp::Div(_) => false,
-            _ => {
-                return self.unsupported(
-                    binary.op.span(),
-                    "this operator",
-                    "the operators are + - * /, of comparisons < <= > >= == != and && ||",
-                );
-            }
-        };
-        let right = self.number(&binary.right, scope);
-        let (left, right) = (left?, right?);
-        if !multiplies && is_zero(&binary.right) {
-            let hint = "it is infinite or NaN whatever the inputs: write a divisor that is not 0";
-            return self.unsupported(binary.right.span(), "a division by 0", hint);
+        if !is_product(&binary.op) {
+            return self.unsupported_operator(&binary.op);
         }
-        let exponent = if multiplies { 1 } else { -1 };
-        let result = self.graph.multiply_as_written(left, (right, exponent));
-        self.representable(result, binary.span())
+        let right = self.number(&binary.right, scope);
+        self.check_divisor(&binary.op, &binary.right)?;
+        self.multiplied(&binary.op, left?, right?, binary.span())
     }
+
+    /// Refuses a division by the literal 0.
+    pub(super) fn check_divisor(&mut self, operator: &BinOp, divisor: &Expr) -> Option<()> {
+        if matches!(operator, BinOp::Div(_) | BinOp::DivAssign(_)) && is_zero(divisor) {
+            let hint = "it is infinite or NaN whatever the inputs: write a divisor that is not 0";
+            return self.unsupported(divisor.span(), "a division by 0", hint);
+        }
+        Some(())
+    }
+
+    /// The product or the quotient of two numbers.
+    pub(super) fn multiplied(
+        &mut self,
+        operator: &BinOp,
+        left: ExprId,
+        right: ExprId,
+        span: Span,
+    ) -> Option<Value> {
+        let exponent = match operator {
+            BinOp::Mul(_) | BinOp::MulAssign(_) => 1,
+            BinOp::Div(_) | BinOp::DivAssign(_) => -1,
+            other => return self.unsupported_operator(other),
+        };
+        let result = self.graph.multiply_as_written(left, (right, exponent));
+        self.representable(result, span)
+    }
+
+    fn unsupported_operator(&mut self, operator: &BinOp) -> Option<Value> {
+        self.unsupported(
+            operator.span(),
+            "this operator",
+            "the operators are + - * /, += -= *= /=, of comparisons < <= > >= == != and && ||, and % of whole numbers",
+        )
+    }
+}
+
+fn is_product(operator: &BinOp) -> bool {
+    matches!(operator, BinOp::Mul(_) | BinOp::Div(_))
 }
 
 /// Whether an expression is the literal 0, in parentheses or not.

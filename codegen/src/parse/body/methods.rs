@@ -3,7 +3,7 @@
 use proc_macro2::Span;
 use syn::punctuated::Punctuated;
 use syn::spanned::Spanned;
-use syn::{Expr, Ident, Lit, Token, UnOp};
+use syn::{Expr, Ident, Token};
 
 use super::{Reader, Scope};
 use crate::graph::{ExprId, Function as Elementary, NamedConstant, Node, Operands, ratio, whole};
@@ -62,7 +62,9 @@ impl<'m> Reader<'m> {
         let name = call.name.to_string();
         let known = known_methods::all().find(|(method, _)| *method == name);
         let Some((_, arity)) = known else {
-            self.all(call.arguments.iter().copied(), scope);
+            let is_closure = |argument: &&Expr| matches!(argument, Expr::Closure(_));
+            let arguments = call.arguments.iter().copied();
+            self.all(arguments.filter(|argument| !is_closure(argument)), scope);
             // What is no number may well have other methods.
             receiver?;
             self.diagnostics.error_with_hint(
@@ -88,7 +90,7 @@ impl<'m> Reader<'m> {
             return None;
         }
         if name == "powi" {
-            let exponent = self.exponent(call.arguments[0]);
+            let exponent = self.exponent(call.arguments[0], scope);
             let power = self.graph.power(receiver?, exponent?);
             return self.representable(power, call.span);
         }
@@ -155,6 +157,7 @@ impl<'m> Reader<'m> {
         };
         self.representable(result, span)
     }
+
     /// A product or power, unless it is one of constants that no `f64` holds: what is gathered from it would be another
     /// number than what its author computes.
     pub(super) fn representable(&mut self, id: ExprId, span: Span) -> Option<Value> {
@@ -193,30 +196,5 @@ impl<'m> Reader<'m> {
             self.constants.push(value.flatten());
         }
         self.constants[id.index()]
-    }
-
-    fn exponent(&mut self, argument: &Expr) -> Option<i32> {
-        let (negative, literal) = match argument {
-            Expr::Unary(syn::ExprUnary {
-                op: UnOp::Neg(_),
-                expr,
-                ..
-            }) => (true, expr.as_ref()),
-            other => (false, other),
-        };
-        if let Expr::Lit(syn::ExprLit {
-            lit: Lit::Int(value),
-            ..
-        }) = literal
-            && let Ok(value) = value.base10_parse::<i32>()
-            && value <= 1000
-        {
-            return Some(if negative { -value } else { value });
-        }
-        self.unsupported(
-            argument.span(),
-            "this exponent",
-            "powi takes a whole number literal of at most 1000",
-        )
     }
 }

@@ -92,7 +92,7 @@ impl<'m> Reader<'m> {
         }
         let role = Role::Argument(function.name().into());
         let placeholders = self.symbolic_arguments(function, &role);
-        for number in numbers::known(self.module, function) {
+        for number in numbers::known(function) {
             self.graph.symbol_of(role.clone(), &number);
         }
         let value = match self.call_or_table(function, placeholders, span)? {
@@ -120,12 +120,12 @@ impl<'m> Reader<'m> {
         }
         let names = function.parameters.iter();
         let names = names.map(|parameter| parameter.name.to_string());
-        let scope: Scope = names.zip(arguments.into_iter().map(Some)).collect();
+        let mut scope = Scope::from(names.zip(arguments.into_iter().map(Some)));
         let mut replacements = BTreeMap::new();
         for symbol in self.graph.symbols_of(&[derivative]) {
             let placeholder = self.graph.symbol(symbol).clone();
             if placeholder.role == role {
-                replacements.insert(symbol, self.resolve(&placeholder.name, &scope, span)?);
+                replacements.insert(symbol, self.resolve(&placeholder.name, &mut scope, span)?);
             }
         }
         let result = self.graph.substitute(&[derivative], &replacements);
@@ -158,10 +158,10 @@ impl<'m> Reader<'m> {
     }
 
     /// The number at `c.beta` or `a[0]` of a scope.
-    fn resolve(&mut self, path: &str, scope: &Scope, span: Span) -> Option<ExprId> {
+    fn resolve(&mut self, path: &str, scope: &mut Scope, span: Span) -> Option<ExprId> {
         let expression: Expr = syn::parse_str(path).ok()?;
         let before = self.diagnostics.len();
-        let found = self.number(&expression, &mut scope.clone());
+        let found = self.number(&expression, scope);
         if found.is_none() {
             self.diagnostics.split_off(before);
             self.diagnostics.error_with_hint(

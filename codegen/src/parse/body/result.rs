@@ -6,8 +6,9 @@ use syn::{Expr, ReturnType, Stmt, Type};
 
 use super::Reader;
 use crate::parse::module::{Function, Module};
-use crate::parse::signature;
+use crate::parse::shape::is_other_type;
 use crate::parse::value::Value;
+use crate::parse::whole;
 
 impl<'m> Reader<'m> {
     /// Reports a result of another shape than the function's type says, as far as the module knows that type: generated
@@ -51,9 +52,8 @@ fn fits(module: &Module, ty: &Type, value: &Value) -> bool {
             tuple.elems.len() == values.len() && parts.all(|(ty, value)| fits(module, ty, value))
         }
         (Type::Array(array), Value::Array(values)) => {
-            let length = syn::parse2::<syn::LitInt>(array.len.to_token_stream());
-            let length = length.and_then(|length| length.base10_parse::<usize>());
-            length.is_ok_and(|length| length == values.len())
+            let length = whole::constant(module, &array.len);
+            length.is_none_or(|length| usize::try_from(length) == Ok(values.len()))
                 && values.iter().all(|value| fits(module, &array.elem, value))
         }
         (Type::Tuple(_) | Type::Array(_) | Type::Slice(_), _) => false,
@@ -65,8 +65,8 @@ fn fits(module: &Module, ty: &Type, value: &Value) -> bool {
                 last(&path.to_token_stream().to_string()) == Some(named.clone()) || !known(&named)
             }
             (Some(_), value) => matches!(value, Value::Parameter { .. }),
-            (None, Value::Number(_)) => !signature::is_other_type(&path.path),
-            (None, _) => !path.path.is_ident("f64") && !signature::is_other_type(&path.path),
+            (None, Value::Number(_)) => !is_other_type(&path.path),
+            (None, _) => !path.path.is_ident("f64") && !is_other_type(&path.path),
         },
         _ => true,
     }
@@ -75,7 +75,8 @@ fn fits(module: &Module, ty: &Type, value: &Value) -> bool {
 /// The type of a value as it is written.
 fn type_of(value: &Value) -> String {
     match value {
-        Value::Number(_) => "f64".to_owned(),
+        Value::Number(_) | Value::Sum(_) => "f64".to_owned(),
+        Value::Whole(_) => "i32".to_owned(),
         Value::Truth(_) => "bool".to_owned(),
         Value::Tuple(values) => {
             let parts: Vec<String> = values.iter().map(type_of).collect();
@@ -85,6 +86,7 @@ fn type_of(value: &Value) -> String {
             let element = values.first().map_or_else(|| "f64".to_owned(), type_of);
             format!("[{element}; {}]", values.len())
         }
+        Value::Iterator(_) => "impl Iterator".to_owned(),
         Value::Struct { name, .. } => name.replace(' ', ""),
         Value::Parameter { path, .. } => format!("that of `{path}`"),
     }

@@ -5,12 +5,13 @@ use syn::spanned::Spanned;
 
 use super::{Reader, Scope};
 use crate::diagnostics::nearest;
+use crate::parse::shape::{Fields, Shape};
 use crate::parse::value::Value;
 
 impl<'m> Reader<'m> {
-    pub(super) fn field(&mut self, field: &syn::ExprField, scope: &mut Scope) -> Option<Value> {
-        let base = self.expression(&field.base, scope)?;
-        let member = field.member.to_token_stream().to_string();
+    /// A field of a struct or tuple.
+    pub(super) fn field_of(&mut self, base: Value, field: &syn::Member) -> Option<Value> {
+        let member = field.to_token_stream().to_string();
         let (description, mut hint) = (base.description(), base.known_fields());
         let found = match base {
             Value::Parameter {
@@ -19,14 +20,21 @@ impl<'m> Reader<'m> {
                 fields,
                 replaced,
             } => {
-                let fields = fields.as_deref();
+                let known = |fields: &Fields| {
+                    let mut fields = fields.iter();
+                    fields.find(|(name, _)| *name == member).cloned()
+                };
+                let of_type = match &fields {
+                    Some(fields) => known(fields).map(|(_, shape)| shape),
+                    None => Some(Shape::Number),
+                };
                 if let Some((_, value)) = replaced.into_iter().find(|(name, _)| *name == member) {
                     Some(value)
-                } else if fields.is_none_or(|fields| fields.contains(&member)) {
-                    let id = self.symbol(&role, &format!("{path}.{member}"));
-                    Some(Value::Number(self.graph.symbol_expression(id)))
+                } else if let Some(shape) = of_type {
+                    Some(self.symbolic(&shape, format!("{path}.{member}"), &role))
                 } else {
-                    let known = fields.unwrap_or_default().iter().map(String::as_str);
+                    let known = fields.iter().flat_map(|fields| fields.iter());
+                    let known = known.map(|(name, _)| name.as_str());
                     if let Some(known) = nearest(&member, known) {
                         hint = format!("did you mean `{known}`?");
                     }
@@ -42,11 +50,11 @@ impl<'m> Reader<'m> {
                 .ok()
                 .filter(|position| *position < values.len())
                 .map(|position| values.swap_remove(position)),
-            Value::Number(_) | Value::Truth(_) | Value::Array(_) => None,
+            _ => None,
         };
         if found.is_none() {
             self.diagnostics.error_with_hint(
-                field.member.span(),
+                field.span(),
                 format!("{description} has no field `{member}`"),
                 hint,
             );
@@ -127,16 +135,17 @@ impl<'m> Reader<'m> {
 
     /// Reports fields that a struct of the module does not have, or that its literal leaves out.
     fn check_fields(&mut self, literal: &syn::ExprStruct) -> Option<()> {
-        let Some(known) = self.module.fields_at(&literal.path) else {
+        let Some((_, known)) = self.module.fields_at(&literal.path) else {
             return Some(());
         };
+        let known: Vec<&str> = known.iter().map(|(name, _)| name.as_str()).collect();
         let name = literal.path.to_token_stream().to_string();
         let mut complete = Some(());
         let mut given = Vec::new();
         for field in &literal.fields {
             let member = field.member.to_token_stream().to_string();
-            if !known.contains(&member) {
-                let hint = match nearest(&member, known.iter().map(String::as_str)) {
+            if !known.contains(&member.as_str()) {
+                let hint = match nearest(&member, known.iter().copied()) {
                     Some(known) => format!("did you mean `{known}`?"),
                     None => format!("its fields are {}", known.join(", ")),
                 };
@@ -149,8 +158,8 @@ impl<'m> Reader<'m> {
             }
             given.push(member);
         }
-        let missing = known.iter().filter(|field| !given.contains(field));
-        let missing: Vec<&str> = missing.map(String::as_str).collect();
+        let is_given = |field: &str| given.iter().any(|given| given == field);
+        let missing: Vec<&str> = known.into_iter().filter(|field| !is_given(field)).collect();
         // A misspelt field is not also a missing one.
         if complete.is_some() && literal.rest.is_none() && !missing.is_empty() {
             self.diagnostics.error_with_hint(
