@@ -1,4 +1,4 @@
-//! Numbers with a running bound of their rounding error, in units of the last place of 1.
+//! Numbers with a running bound of their rounding error, in units of 2¹⁰ last places of 1.
 //!
 //! Sums, products and quotients choose between results and never branch, and are inlined where they are called, so that the
 //! compiler computes those of a [`Pack`] together.
@@ -10,7 +10,7 @@ use crate::interpret::double_double::stand_in;
 use crate::interpret::{Number, constant_value};
 pub use pack::Pack;
 
-/// A value with a bound of its error in units of the last place of 1. An infinite value without an error is infinity itself,
+/// A value with a bound of its error in [`UNIT`]s. An infinite value without an error is infinity itself,
 /// and NaN without one is surely no number; an infinite value with an infinite error is larger than any number. Where the error
 /// is NaN, nothing is known of the number.
 #[derive(Clone, Copy, Debug)]
@@ -21,8 +21,14 @@ pub struct Bounded {
     pub error: f64,
 }
 
-/// What a number smaller than any normal one is off by, in units of the last place of 1: one of its own last places.
-const UNDERFLOW: f64 = f64::MIN_POSITIVE;
+/// The unit of errors, 2¹⁰ last places of 1: so errors of the largest numbers and of the smallest are numbers, too.
+pub const UNIT: f64 = 1024.0 * f64::EPSILON;
+
+/// The last place of 1 in that unit.
+pub const LAST_PLACE: f64 = f64::EPSILON / UNIT;
+
+/// What a number smaller than any normal one is off by, in that unit: one of its own last places.
+const UNDERFLOW: f64 = f64::MIN_POSITIVE * LAST_PLACE;
 
 impl Bounded {
     /// A number without an error.
@@ -34,7 +40,7 @@ impl Bounded {
     fn rounded(value: f64, inherited: f64) -> Self {
         Self {
             value,
-            error: inherited + value.abs(),
+            error: inherited + LAST_PLACE * value.abs(),
         }
     }
 
@@ -47,7 +53,7 @@ impl Bounded {
         let beyond = pick(is_itself, 0.0, f64::INFINITY);
         let error = pick(
             value.is_finite(),
-            inherited + value.abs(),
+            inherited + LAST_PLACE * value.abs(),
             pick(is_unknown, f64::NAN, beyond),
         );
         Self { value, error }
@@ -75,9 +81,7 @@ impl Bounded {
     /// Whether its error is so large that it may be 0, or of the other sign.
     #[inline(always)]
     fn is_lost(self) -> bool {
-        self.value.is_finite()
-            & (self.error * f64::EPSILON >= 0.5 * self.value.abs())
-            & (self.error > 0.0)
+        self.value.is_finite() & (self.error * UNIT >= 0.5 * self.value.abs()) & (self.error > 0.0)
     }
 
     #[inline(always)]
@@ -90,7 +94,7 @@ impl Bounded {
         if self.value == 0.0 {
             return self.error == 0.0;
         }
-        self.value.is_finite() && self.error * f64::EPSILON <= 1e-3 * self.value.abs()
+        self.value.is_finite() && self.error * UNIT <= 1e-3 * self.value.abs()
     }
 }
 
@@ -105,14 +109,14 @@ fn pick(condition: bool, yes: f64, no: f64) -> f64 {
 fn share(factor: f64, error: f64) -> f64 {
     let share = factor * error;
     // A share that is too small for a number is some all the same.
-    let some = pick(share == 0.0, f64::MIN_POSITIVE, share);
+    let some = pick(share == 0.0, UNDERFLOW, share);
     pick((error == 0.0) | (factor == 0.0), 0.0, some)
 }
 
 /// What a product inherits, the product of both errors included: where digits cancelled it is the larger part.
 #[inline(always)]
 fn of_product(x: Bounded, y: Bounded) -> f64 {
-    let second_order = share(x.error, y.error) * f64::EPSILON;
+    let second_order = share(x.error, y.error) * UNIT;
     share(x.value.abs(), y.error) + share(y.value.abs(), x.error) + second_order
 }
 
@@ -126,13 +130,13 @@ fn of_slope(function: Function, slope: f64, operand: Bounded) -> f64 {
         Function::Sinh | Function::Cosh | Function::Tanh | Function::Powf => 1.0,
         _ => operand.value.abs().max(1.0),
     };
-    let curved = 1.0 + operand.error / scale * f64::EPSILON;
+    let curved = 1.0 + operand.error / scale * UNIT;
     share(slope.abs() * curved, operand.error)
 }
 
 /// A function that jumps, at a number that is known well enough to say between which steps it is.
 fn of_step(value: fn(f64) -> f64, x: Bounded) -> Bounded {
-    let apart = x.error * f64::EPSILON;
+    let apart = x.error * UNIT;
     let [low, high] = [x.value - apart, x.value + apart].map(value);
     if low == high || x.error == 0.0 {
         Bounded::exact(value(x.value))
@@ -152,11 +156,11 @@ fn of_comparison(function: Function, [a, b, x, y]: [Bounded; 4]) -> Bounded {
     if error.is_nan() {
         return Bounded::unknown(chosen.value);
     }
-    let is_open = error > 0.0 && (a.value - b.value).abs() <= error * f64::EPSILON;
+    let is_open = error > 0.0 && (a.value - b.value).abs() <= error * UNIT;
     if !is_open {
         return chosen;
     }
-    let apart = (chosen.value - other.value).abs() / f64::EPSILON;
+    let apart = (chosen.value - other.value).abs() / UNIT;
     Bounded {
         value: chosen.value,
         error: chosen.error.max(other.error) + apart,
@@ -239,7 +243,7 @@ impl Number for Bounded {
         let scaled = Self::scaled(value, inherited, &operands).error;
         let rounded = pick(self.value == 0.0, of_zero, scaled);
         // By infinity itself it is 0; by what is larger than any number, at most a share of the largest.
-        let size = self.value.abs() / f64::MAX / f64::EPSILON + UNDERFLOW;
+        let size = self.value.abs() / f64::MAX / UNIT + UNDERFLOW;
         let by_infinity = pick(other.error == 0.0, 0.0, size);
         let is_by_infinity = other.value.is_infinite() & (value == 0.0);
         let known = pick(
@@ -264,7 +268,7 @@ impl Number for Bounded {
             (Function::Sqrt, [x]) => {
                 let root = x.value.sqrt();
                 // The root of the error itself is the most that it may be off by, near 0.
-                let most = (x.error / f64::EPSILON).sqrt();
+                let most = (x.error / UNIT).sqrt();
                 Self::after(root, (x.error / root).min(most), operands)
             }
             (Function::Sign | Function::Side, [x]) => Self::exact(f64::apply(function, &[x.value])),

@@ -14,7 +14,7 @@ mod author;
 use std::fmt;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use super::bounded::{Bounded, Pack};
+use super::bounded::{Bounded, LAST_PLACE, Pack, UNIT};
 use super::probes::{self, Difference};
 use crate::circuit::{Circuit, Operation};
 use crate::graph::{ExprId, Graph, Symbol, SymbolId};
@@ -294,7 +294,8 @@ impl Reference {
                 let (exact, found_exact) = (exact[place], found_exact[place]);
                 let apart = exact.add(&-found_exact).high.abs();
                 // Both lose in twice the digits what their operations lose in single ones.
-                let lost = SAME * (known.error + found[place].error + known.value.abs());
+                let of_both = (known.error + found[place].error) * (SAME / LAST_PLACE);
+                let lost = of_both + SAME * known.value.abs();
                 if !(known.value.is_finite() && apart.is_finite() && lost.is_finite()) {
                     continue;
                 }
@@ -347,16 +348,16 @@ fn known(author: &Author, points: &[Vec<f64>]) -> Vec<Known> {
 fn is_as_right(known: Bounded, found: Bounded) -> bool {
     // What is smaller than any normal number may be lost on the way.
     let lost = if known.value.abs() < f64::MIN_POSITIVE {
-        f64::MIN_POSITIVE / f64::EPSILON
+        f64::MIN_POSITIVE / UNIT
     } else {
         0.0
     };
-    let bound = ALLOWED * (known.error + known.value.abs()) + lost;
+    let bound = ALLOWED * (known.error + LAST_PLACE * known.value.abs()) + lost;
     let apart = (known.value - found.value).abs();
     if known.has_digits() {
-        return found.error <= bound && apart <= f64::EPSILON * ALLOWED * (bound + found.error);
+        return found.error <= bound && apart <= UNIT * ALLOWED * (bound + found.error);
     }
-    !known.error.is_finite() || apart <= f64::EPSILON * bound
+    !known.error.is_finite() || apart <= UNIT * bound
 }
 
 /// What an operation at all points of a group, in twice the digits too, counts for beside one at a point.
