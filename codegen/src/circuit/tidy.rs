@@ -25,9 +25,14 @@ impl Circuit {
     pub fn define(&mut self, symbols: &[SymbolId]) -> bool {
         let results = self.outputs.len().saturating_sub(symbols.len());
         let definitions = self.outputs.split_off(results);
-        for (symbol, definition) in symbols.iter().zip(definitions) {
-            if let Some(&net) = self.index.get(&hash_of(&Operation::Symbol(*symbol))) {
-                self.replace(net, Operation::Sum(smallvec![(definition, Rational::ONE)]));
+        // Not by the index of hashes, of which an operation of the same hash may have taken the symbol's place.
+        for net in self.nets() {
+            let Operation::Symbol(symbol) = self.operation(net) else {
+                continue;
+            };
+            let mut defined = symbols.iter().zip(&definitions);
+            if let Some((_, definition)) = defined.find(|(known, _)| *known == symbol) {
+                self.replace(net, Operation::Sum(smallvec![(*definition, Rational::ONE)]));
             }
         }
         let is_sound = !self.is_cyclic();
@@ -220,6 +225,32 @@ impl Circuit {
                 tidied.product(opened)
             }
             other => tidied.push(other.clone().with_operands(image)),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::graph::{Graph, ratio};
+
+    #[test]
+    fn a_symbol_is_defined_also_where_an_operation_of_the_same_hash_came_after_it() {
+        // The places of symbols are small numbers, and so are the parts of fractions: some of their hashes are equal.
+        let mut graph = Graph::new();
+        let symbols: Vec<SymbolId> = (0..64)
+            .map(|number| graph.symbol_named(&format!("x{number}")))
+            .collect();
+        let fractions = (1..64).flat_map(|above| (1..64).map(move |below| ratio(above, below)));
+        for symbol in symbols {
+            let mut circuit = Circuit::default();
+            let net = circuit.push(Operation::Symbol(symbol));
+            let fractions: Vec<Net> = fractions.clone().map(|q| circuit.number(q)).collect();
+            let definition = circuit.number(ratio(1, 2));
+            circuit.outputs = vec![net, fractions[0], definition];
+            assert!(circuit.define(&[symbol]));
+            let is_symbol = |net: Net| matches!(circuit.operation(net), Operation::Symbol(_));
+            assert!(!circuit.nets().any(is_symbol), "{symbol:?}");
         }
     }
 }
