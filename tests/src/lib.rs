@@ -1,6 +1,6 @@
 //! What crosses crates: the paper, the reference tables, accuracy.
 //!
-//! The tests stand in `tests/`; here is what they share: the tables of `reference/`, and rotors from their rows.
+//! The tests stand in `tests/`; here is what they share: the tables of `reference/` and `cases/`, and rotors from their rows.
 #![allow(
     clippy::expect_used,
     clippy::panic,
@@ -21,9 +21,19 @@ pub type Record = BTreeMap<String, String>;
 /// # Panics
 /// Where there is no such table, or it is not well formed.
 pub fn table(file: &str) -> Vec<Record> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("reference")
-        .join(file);
+    rows(&Path::new("reference").join(file))
+}
+
+/// The rows of a table in `cases/`: inputs with which the library was wrong once, and what is right.
+///
+/// # Panics
+/// Where there is no such table, or it is not well formed.
+pub fn cases(file: &str) -> Vec<Record> {
+    rows(&Path::new("cases").join(file))
+}
+
+fn rows(file: &Path) -> Vec<Record> {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(file);
     let mut reader = csv::Reader::from_path(path).expect("the reference table is there");
     reader
         .deserialize()

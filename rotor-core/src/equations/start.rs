@@ -20,16 +20,14 @@ mod formulas {
             + 2.0 * ((x.abs() + x) * coupled_stiffness(c) + (x.abs() - x) * c.gamma.powi(2))
     }
 
-    /// Square of the start of the simple region, Eq. (15) in the form of E9, good for every $0 < \beta \le 2$. Where $q > 0$,
-    /// which takes a disk of $\beta > 1 + \delta$, its divisor is a difference, and the other form of the root is a sum.
+    /// Square of the start of the simple region, Eq. (15) in the form of E9, good for every $0 < \beta \le 2$. With $w$ for the
+    /// root it is $2C/(w-q)$, and where $q > 0$, for disks of $\beta > 1 + \delta$, also $(w+q+2C)/(w+q+2\delta)$. From both it follows
+    /// as $2C/(w+|q|)$ times 1 and what is beyond it for $q > 0$, a product of sums in which nothing cancels.
     pub fn sir_start_squared(c: &Coefficients) -> f64 {
-        let q = c.beta - 1.0 - c.delta;
+        let (q, twice) = (c.beta - 1.0 - c.delta, 2.0 * coupled_stiffness(c));
         let sum = sir_radicand(c).sqrt() + q.abs();
-        if q > 0.0 {
-            sum / (2.0 * (c.beta - 1.0))
-        } else {
-            2.0 * coupled_stiffness(c) / sum
-        }
+        let beyond = (q.abs() + q) * (sum + twice) / (twice * (sum + 2.0 * c.delta));
+        twice / sum * (1.0 + beyond)
     }
 
     /// Start $\Omega_s$ of the simple region, where $\omega_2 = \Omega$, Eq. (15).

@@ -24,6 +24,9 @@ pub enum SystemError {
         /// The cap.
         iterations: usize,
     },
+    /// Two roots of the quartic are one at every speed, so that where roots meet says nothing.
+    #[error("two roots of the quartic are equal at every speed: it has no discriminant")]
+    Degenerate,
     /// A matrix of a periodic system has the wrong shape.
     #[error(
         "the {matrix} matrix has the shape {rows} x {columns}; {expected} x {expected} is needed"

@@ -29,6 +29,7 @@ pub mod ends;
 mod frequency_equation;
 mod number;
 pub mod quartic;
+pub mod regions;
 pub mod whirl;
 
 pub use combination::combination_ends;

@@ -131,6 +131,9 @@ impl Region {
 
     /// The exact ends, without the approximation of Eqs. (24) to (31), in units of the reference speed.
     ///
+    /// Between the ends of a region every speed is unstable; [`regions`](exact::regions::regions) has every interval in which
+    /// that is so, joined where they touch.
+    ///
     /// Simple regions can overlap: where $|\Delta_d| > |\beta - 1|$ one that reaches to infinite speed may
     /// hold the other inside it. The simple region's ends are therefore the neighbouring ones that its
     /// approximate ends $\Omega_s \pm \lambda_s/2$ approximate best, and the upper simple region has the rest. Where Eq. (31)
@@ -144,18 +147,18 @@ impl Region {
             return exact::combination_ends(c, self.start);
         }
         let ends = exact::simple_region_ends(c)?;
-        let simple = simple_pair(&ends, c)?;
-        if self.kind == RegionKind::Simple {
-            return Ok(simple);
+        let place = simple_pair(&ends, c)?;
+        let (before, rest) = ends.split_at(place);
+        let (simple, behind) = rest.split_at(2);
+        if self.kind == RegionKind::Simple
+            && let [lower, upper] = *simple
+        {
+            return Ok(Ends { lower, upper });
         }
-        let mut rest = ends
-            .iter()
-            .copied()
-            .filter(|&end| end != simple.lower && end != simple.upper);
-        match (rest.next(), rest.next()) {
-            (Some(lower), Some(upper)) => Ok(Ends { lower, upper }),
-            (Some(lower), None) => Err(RegionError::Unbounded { lower }.into()),
-            (None, _) => Err(RegionError::NoExactEnds {
+        match *[before, behind].concat() {
+            [lower, upper, ..] => Ok(Ends { lower, upper }),
+            [lower] => Err(RegionError::Unbounded { lower }.into()),
+            [] => Err(RegionError::NoExactEnds {
                 kind: self.kind,
                 reason: "its lower end is beyond every finite speed",
             }
@@ -263,37 +266,51 @@ impl Rotor {
     }
 }
 
-/// The neighbouring ends with no stable speed between them that are nearest to the approximate ends.
-fn simple_pair(ends: &[f64], c: &Coefficients) -> Result<Ends, Error> {
+/// The place of the first of the neighbouring ends with no stable speed between them that are nearest to the approximate ends.
+fn simple_pair(ends: &[f64], c: &Coefficients) -> Result<usize, Error> {
     let region = Region::of(RegionKind::Simple, c)?;
     let start = region.start();
     // At a double start Eq. (31) is 0/0; the exact ends are there all the same.
     let half_width = 0.5 * region.width().unwrap_or(0.0);
-    let distance = |ends: &Ends| {
-        (ends.lower - (start - half_width)).abs() + (ends.upper - (start + half_width)).abs()
-    };
-    let mut nearest: Option<Ends> = None;
-    for (index, pair) in ends.windows(2).enumerate() {
+    let mut nearest: Option<(usize, f64)> = None;
+    for (place, pair) in ends.windows(2).enumerate() {
         let [lower, upper] = *pair else { continue };
-        // Between the second and the third end an even number of stiffnesses is negative: stable
-        // unless two regions overlap there.
-        let unstable = index % 2 == 0 || exact::growth_rate(c, 0.5 * (lower + upper))? > 0.0;
-        let pair = Ends { lower, upper };
-        if unstable
-            && nearest
-                .as_ref()
-                .is_none_or(|best| distance(&pair) < distance(best))
-        {
-            nearest = Some(pair);
+        // Between the second and the third end an even number of stiffnesses is negative: stable unless two regions overlap
+        // there. A combination region may lie there as well, with stable speeds beside it.
+        let unstable = place % 2 == 0 || are_all_unstable(c, lower, upper)?;
+        let distance = (lower - (start - half_width)).abs() + (upper - (start + half_width)).abs();
+        if unstable && nearest.is_none_or(|(_, least)| distance < least) {
+            nearest = Some((place, distance));
         }
     }
-    nearest.ok_or_else(|| {
-        RegionError::NoExactEnds {
-            kind: RegionKind::Simple,
-            reason: "no two speeds solve Phi = 0",
+    let none = RegionError::NoExactEnds {
+        kind: RegionKind::Simple,
+        reason: "no two speeds solve Phi = 0",
+    };
+    Ok(nearest.ok_or(none)?.0)
+}
+
+/// Where between two ends the motion is looked at before whole numbers decide.
+const PARTS_BETWEEN: [f64; 5] = [0.5, 1e-6, 1.0 - 1e-6, 0.25, 0.75];
+
+/// Whether the motion is unstable at every speed between two ends.
+fn are_all_unstable(c: &Coefficients, lower: f64, upper: f64) -> Result<bool, Error> {
+    // Some speeds, those near the ends among them, are the quick way to a no.
+    for part in PARTS_BETWEEN {
+        if exact::growth_rate(c, lower + part * (upper - lower))? == 0.0 {
+            return Ok(false);
         }
-        .into()
-    })
+    }
+    // The ends are those of regions but for their last digit.
+    let [lowest, highest] = [
+        lower * (1.0 + 4.0 * f64::EPSILON),
+        upper * (1.0 - 4.0 * f64::EPSILON),
+    ];
+    let regions = exact::regions::regions(c)?;
+    let mut holds = regions
+        .iter()
+        .map(|range| range.lower <= lowest && highest <= range.upper);
+    Ok(holds.any(|holds| holds))
 }
 
 fn require_region(kind: RegionKind, c: &Coefficients) -> Result<(), RegionError> {

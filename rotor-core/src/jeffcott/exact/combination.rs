@@ -1,6 +1,6 @@
 //! The exact ends of the combination region (CIR): speeds at which two roots S of the quartic meet.
 //!
-//! Two ways lead from the region's start to its ends.
+//! Three ways lead from the region's start to its ends, each where those before it find none.
 //!
 //! 1. With $D\,Φ = m_1 m_2 − |m_{12}|^2$ (source of `frequency_equation`) the point m₁ = m₂ = 0 lies inside the region,
 //!    or is all of it where m₁₂ = 0 (the exact zero unstable point). The ends of m₁ m₂ = t²|m₁₂|² are followed in (ϖ, Ω)
@@ -9,11 +9,13 @@
 //! 2. A region so wide that it runs into another one, or whose roots meet below zero where ω is not real, is found by a
 //!    search along Ω for the nearest speeds with complex roots. Roots that meet below zero leave the motion unstable on
 //!    both sides: there the region passes into a simple one.
+//! 3. What the search steps over is found among all ends, isolated in whole numbers.
 
 use super::ends::Ends;
 use super::frequency_equation::{Displacement, Minors, phi_from_product};
 use super::number::Jet;
 use super::quartic::squared_offsets;
+use super::regions::{UnstableRange, cells};
 use super::whirl::whirl_frequencies;
 use crate::equations::Coefficients;
 use crate::error::{Error, RegionError, require};
@@ -58,13 +60,21 @@ pub fn combination_ends(c: &Coefficients, start: f64) -> Result<Ends, Error> {
         x: partner,
         y: start,
     };
-    let [first, second] = by_coupling(c, start).or_else(|| by_search(c, start.y)).ok_or(RegionError::NoExactEnds {
-        kind: RegionKind::Combination,
-        reason: "no roots of the quartic meet near the start, or they do so only together with another region",
-    })?;
-    Ok(Ends {
-        lower: first.min(second),
-        upper: first.max(second),
+    // Followed too far, an end may come out on the axis of negative speeds, which mirrors that of positive ones.
+    let are_positive = |ends: &[f64; 2]| ends.iter().all(|end| *end > 0.0);
+    let found = by_coupling(c, start).filter(are_positive);
+    if let Some([first, second]) = found.or_else(|| by_search(c, start.y)) {
+        return Ok(Ends {
+            lower: first.min(second),
+            upper: first.max(second),
+        });
+    }
+    by_isolation(c, start.y)?.ok_or_else(|| {
+        RegionError::NoExactEnds {
+            kind: RegionKind::Combination,
+            reason: "no roots of the quartic meet near the start, or they do so only together with another region",
+        }
+        .into()
     })
 }
 
@@ -293,4 +303,19 @@ fn edge(c: &Coefficients, inside: f64, step: f64) -> Option<f64> {
         },
     )?;
     Some(end.y.sqrt()).filter(|speed| (speed - inside).abs() <= step.abs())
+}
+
+/// The third way: of all intervals in which roots S are complex the one whose middle is nearest to the start, within the reach
+/// of the search.
+fn by_isolation(c: &Coefficients, start: f64) -> Result<Option<Ends>, Error> {
+    let distance = |ends: &Ends| (0.5 * (ends.lower + ends.upper) - start).abs();
+    let reach = f64::from(SEARCH_STEPS) * SEARCH_STEP * start;
+    // What is centred within reach begins above zero, and ends as far from its centre.
+    let window = [start / 16.0, 2.0 * (start + reach)];
+    let all = cells(c, Some(window))?.ranges(|verdict| verdict.complex > 0);
+    let bounded = all.filter(|range| range.lower > 0.0 && range.upper.is_finite());
+    let ends = bounded.map(|UnstableRange { lower, upper }| Ends { lower, upper });
+    Ok(ends
+        .filter(|ends| distance(ends) <= reach)
+        .min_by(|a, b| distance(a).total_cmp(&distance(b))))
 }

@@ -13,7 +13,7 @@
 //!    rounding, so the difference keeps the digits that the expanded Eq. (22) cancels away.
 
 use super::double_double::DoubleDouble;
-use super::number::{Jet, Number, Polynomial};
+use super::number::{Jet, Number, Polynomial, Size};
 use crate::equations::{self, Coefficients};
 
 /// One of the two displacements that a whirl consists of.
@@ -164,12 +164,12 @@ pub(crate) fn sine_and_cosine_of_double(angle: f64) -> [f64; 2] {
 }
 
 /// cos 2φ in the digits of `T`, from whichever of sin φ and cos φ is the smaller: their rounding then is that of the angle.
-fn cosine_of_double<T: Number>(angle: f64) -> T {
+fn cosine_of_double<T: Number>(angle: f64, number: impl Fn(f64) -> T) -> T {
     let (sine, cosine) = angle.sin_cos();
     if sine.abs() < cosine.abs() {
-        T::of(sine) * T::of(sine) * -2.0 + 1.0
+        number(sine) * number(sine) * -2.0 + 1.0
     } else {
-        T::of(cosine) * T::of(cosine) * 2.0 + -1.0
+        number(cosine) * number(cosine) * 2.0 + -1.0
     }
 }
 
@@ -180,10 +180,11 @@ fn cosine_of_double<T: Number>(angle: f64) -> T {
 /// Ω² but for the last digits, while their P differ as much as the whirls do. There β enters as 2 − β, which a number
 /// near 2 has with all digits.
 pub(super) fn phi_from_product<T: Number>(c: &Coefficients, speed_squared: T, product: T) -> T {
-    let [beta, delta, e1] = [c.beta, c.delta, c.epsilon_1].map(T::of);
-    let gamma_squared = T::of(c.gamma) * T::of(c.gamma);
-    let e12_gamma_squared = T::of(c.epsilon_12) * gamma_squared;
-    let e2_delta = T::of(c.epsilon_2) * delta;
+    let number = |value: f64| product.constant(value);
+    let [beta, delta, e1] = [c.beta, c.delta, c.epsilon_1].map(number);
+    let gamma_squared = number(c.gamma) * number(c.gamma);
+    let e12_gamma_squared = number(c.epsilon_12) * gamma_squared;
+    let e2_delta = number(c.epsilon_2) * delta;
     let slack = beta * -1.0 + 2.0;
 
     let h_h_bar = (product + 1.0) * (product + 1.0) - speed_squared * 4.0;
@@ -200,15 +201,15 @@ pub(super) fn phi_from_product<T: Number>(c: &Coefficients, speed_squared: T, pr
         + product * (product * 2.0 - speed_squared * 4.0);
     let f_f_bar = h_h_bar * g_g_bar + gamma_squared * (gamma_squared - straight);
 
-    let e12_gamma_squares = T::of(c.epsilon_12) * e12_gamma_squared; // (ε₁₂γ)²
+    let e12_gamma_squares = number(c.epsilon_12) * e12_gamma_squared; // (ε₁₂γ)²
     let sigma = e1 * e2_delta - e12_gamma_squares; // Σ₁
-    let disk = product * T::of(c.disk_asymmetry);
+    let disk = product * number(c.disk_asymmetry);
     let against_disk =
         e12_gamma_squared * h_sum - e2_delta * h_h_bar + e1 * (sigma - gamma_squared); // Σ₁ε₁ − Θ₁
     f_f_bar - e1 * e1 * g_g_bar - e12_gamma_squares * crossed - e2_delta * e2_delta * h_h_bar
         + e12_gamma_squared * (e1 * g_sum + e2_delta * h_sum) * 2.0
         + disk * disk * (e1 * e1 - h_h_bar)
-        + disk * against_disk * cosine_of_double::<T>(c.crack_angle) * 2.0
+        + disk * against_disk * cosine_of_double(c.crack_angle, number) * 2.0
         + sigma * sigma
         - (e1 * e2_delta + e12_gamma_squares) * gamma_squared * 2.0
 }
@@ -216,8 +217,19 @@ pub(super) fn phi_from_product<T: Number>(c: &Coefficients, speed_squared: T, pr
 /// The coefficients of Φ in powers of P = ωϖ at a speed, lowest first; the last one is 1 − Δ_d².
 pub(super) fn quartic_coefficients(c: &Coefficients, speed: f64) -> [DoubleDouble; 5] {
     let speed = DoubleDouble::from(speed);
-    let speed_squared = Polynomial::constant(speed * speed);
+    let speed_squared = Polynomial::of(speed * speed);
     phi_from_product(c, speed_squared, Polynomial::variable()).0
+}
+
+/// The coefficients of Φ(Ω, Ω) in powers of Ω², lowest first: its zeros are the ends of the simple regions.
+pub(super) fn simple_coefficients(c: &Coefficients) -> [DoubleDouble; 5] {
+    let variable = Polynomial::variable();
+    phi_from_product(c, variable, variable).0
+}
+
+/// The sum of the sizes of all terms of Φ(Ω, Ω) at a squared speed.
+pub(super) fn simple_size(c: &Coefficients, speed_squared: f64) -> f64 {
+    phi_from_product(c, Size(speed_squared), Size(speed_squared)).0
 }
 
 #[cfg(test)]

@@ -15,25 +15,74 @@ pub(super) trait Number:
     + Add<f64, Output = Self>
     + Mul<f64, Output = Self>
 {
-    /// The constant.
-    fn of(value: f64) -> Self;
+    /// The constant, as a number of the kind of this one.
+    fn constant(self, value: f64) -> Self;
 }
 
 impl Number for f64 {
-    fn of(value: f64) -> Self {
+    fn constant(self, value: f64) -> Self {
         value
     }
 }
 
 impl Number for Complex<f64> {
-    fn of(value: f64) -> Self {
+    fn constant(self, value: f64) -> Self {
         Self::new(value, 0.0)
     }
 }
 
 impl Number for DoubleDouble {
-    fn of(value: f64) -> Self {
+    fn constant(self, value: f64) -> Self {
         Self::from(value)
+    }
+}
+
+/// The sum of the sizes of all terms of a value: what its rounding errors are measured by.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Size(pub(super) f64);
+
+impl Number for Size {
+    fn constant(self, value: f64) -> Self {
+        Self(value.abs())
+    }
+}
+
+impl Add for Size {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self(self.0 + other.0)
+    }
+}
+
+#[allow(
+    clippy::suspicious_arithmetic_impl,
+    reason = "sizes of terms add up whatever the terms' signs are"
+)]
+impl Sub for Size {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        self + other
+    }
+}
+
+impl Mul for Size {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        Self(self.0 * other.0)
+    }
+}
+
+impl Add<f64> for Size {
+    type Output = Self;
+    fn add(self, other: f64) -> Self {
+        Self(self.0 + other.abs())
+    }
+}
+
+impl Mul<f64> for Size {
+    type Output = Self;
+    fn mul(self, factor: f64) -> Self {
+        Self(self.0 * factor.abs())
     }
 }
 
@@ -67,7 +116,7 @@ impl Jet {
 }
 
 impl Number for Jet {
-    fn of(value: f64) -> Self {
+    fn constant(self, value: f64) -> Self {
         Self {
             value,
             ..Self::default()
@@ -138,7 +187,7 @@ pub(super) struct Polynomial(pub(super) [DoubleDouble; 5]);
 
 impl Polynomial {
     /// The constant.
-    pub(super) fn constant(value: DoubleDouble) -> Self {
+    pub(super) fn of(value: DoubleDouble) -> Self {
         let mut powers = [DoubleDouble::ZERO; 5];
         powers[0] = value;
         Self(powers)
@@ -153,8 +202,8 @@ impl Polynomial {
 }
 
 impl Number for Polynomial {
-    fn of(value: f64) -> Self {
-        Self::constant(DoubleDouble::from(value))
+    fn constant(self, value: f64) -> Self {
+        Self::of(DoubleDouble::from(value))
     }
 }
 
