@@ -64,6 +64,7 @@
 //! | arrays | `[a, b]`, `[0.0; N]`, `q[i]`, `q[i + 1][j]`; `iter`, `rev`, `enumerate`, `zip`, `chain`, `skip`, `take`, `step_by`, `map(\|x\| …)`, `sum`, `product`, `fold(a, \|b, x\| …)`, `len` |
 //! | access | `c.field`, `a[0]`, `pair.0` |
 //! | structs | `Name { field: x }`, `Name { field: x, ..*c }`; patterns `let Name { field, .. } = c;` |
+//! | methods | `impl Name { fn f(&self, x: f64) -> f64 { … } }`, called as `c.f(x)` or `Name::f(&c, x)`, functions without `self`, and constants, `Self::K` |
 //! | calls | of other formulas of the module and of those that it links; `f::d_x(…)`, `f::d_x_y(…)` of their partials |
 //! | integrals | `integral(\|t\| …, a..b)`, in functions that are tabulated |
 //!
@@ -76,6 +77,10 @@
 //! decides is known, and the branch that is not taken is not looked at. A formula has up to 100,000 statements, those of
 //! loops and of called formulas counted as often as they are passed. `x += a; x += b;` is `x + a + b`, a sum of three as it
 //! is rounded; what is read in between is a number of its own.
+//!
+//! A method has forms like a function: they are in the module `f`, take the struct first, and are by `self.field` or all of
+//! `self`. Blocks of traits and of generic types are left to the compiler, methods are not specialised and take no part in
+//! the chain.
 //!
 //! There are no loops without a range, no `break`, `continue` or early `return`. Whatever else is found is reported at its token with what to write instead, all at once: also functions and constants that need
 //! themselves, results of another type than the signature says, fields that a struct of the module does not have, and names

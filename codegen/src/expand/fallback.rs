@@ -4,7 +4,7 @@ use proc_macro2::{Group, Literal, Spacing, TokenStream, TokenTree};
 use quote::{ToTokens, format_ident, quote, quote_spanned};
 
 use crate::emit::columns;
-use crate::emit::scalar::Form;
+use crate::emit::scalar::{self, Form};
 use crate::emit::staged;
 use crate::parse::attributes::StageRequest;
 use crate::parse::module::{Function, Module};
@@ -174,11 +174,11 @@ pub(super) fn stub_function(
     if signature.receiver().is_some() {
         return TokenStream::new();
     }
-    let (generics, parameters, bounds) = (
-        &signature.generics,
-        &signature.inputs,
-        &signature.generics.where_clause,
-    );
+    let parameters = match &function.of {
+        Some(_) => scalar::parameters(function),
+        None => signature.inputs.to_token_stream(),
+    };
+    let (generics, bounds) = (&signature.generics, &signature.generics.where_clause);
     quote! {
         /// Not generated: see the errors of the module.
         pub fn #name #generics(#parameters) -> #result #bounds {
