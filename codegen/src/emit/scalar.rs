@@ -18,6 +18,8 @@ pub enum Form {
     Value,
     /// The value and its first partials.
     Gradient,
+    /// Several numbers and the first partials of each.
+    Jacobian,
     /// The value, its first and its second partials.
     Hessian,
 }
@@ -28,6 +30,7 @@ impl Form {
         match self {
             Self::Value => "value",
             Self::Gradient => "gradient",
+            Self::Jacobian => "jacobian",
             Self::Hessian => "hessian",
         }
     }
