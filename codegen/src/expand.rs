@@ -10,6 +10,7 @@ mod derivatives;
 mod fallback;
 mod forms;
 mod formula;
+mod jacobian;
 mod partial;
 mod stages;
 mod tabulated;
@@ -230,11 +231,13 @@ impl Expansion {
         let numbers: Vec<ExprId> = value.numbers().into_iter().map(|(_, id)| id).collect();
         if function.request.is_some() {
             self.check_generable(function, &graph, &value, &numbers)?;
+            self.check_jacobian(function, &value)?;
         }
         self.named
             .insert(function.name(), in_order(function, &graph, named));
         let request = function.request.as_ref();
-        let has_gradient = request.is_some_and(|request| request.gradient.is_some());
+        let has_gradient =
+            request.is_some_and(|request| request.gradient.is_some() || request.jacobian.is_some());
         Some(Formula::of(graph, &value, has_gradient))
     }
 

@@ -64,6 +64,7 @@
 //! | arrays | `[a, b]`, `[0.0; N]`, `q[i]`, `q[i + 1][j]`; `iter`, `rev`, `enumerate`, `zip`, `chain`, `skip`, `take`, `step_by`, `map(\|x\| …)`, `sum`, `product`, `fold(a, \|b, x\| …)`, `len` |
 //! | access | `c.field`, `a[0]`, `pair.0` |
 //! | structs | `Name { field: x }`, `Name { field: x, ..*c }`; patterns `let Name { field, .. } = c;` |
+//! | methods | `impl Name { fn f(&self, x: f64) -> f64 { … } }`, called as `c.f(x)` or `Name::f(&c, x)`, functions without `self`, and constants, `Self::K` |
 //! | calls | of other formulas of the module and of those that it links; `f::d_x(…)`, `f::d_x_y(…)` of their partials |
 //! | integrals | `integral(\|t\| …, a..b)`, in functions that are tabulated |
 //!
@@ -77,11 +78,15 @@
 //! loops and of called formulas counted as often as they are passed. `x += a; x += b;` is `x + a + b`, a sum of three as it
 //! is rounded; what is read in between is a number of its own.
 //!
+//! A method has forms like a function: they are in the module `f`, take the struct first, and are by `self.field` or all of
+//! `self`. Blocks of traits and of generic types are left to the compiler, methods are not specialised and take no part in
+//! the chain.
+//!
 //! There are no loops without a range, no `break`, `continue` or early `return`. Whatever else is found is reported at its token with what to write instead, all at once: also functions and constants that need
 //! themselves, results of another type than the signature says, fields that a struct of the module does not have, and names
 //! that both the author and the generator give.
 //!
-//! Attributes of a function say what is wanted: `#[generate(value, gradient(x, c.y), hessian(x, c.y), columns, stage(c.y),
+//! Attributes of a function say what is wanted: `#[generate(value, gradient(x, c.y), jacobian(x, c.y), hessian(x, c.y), columns, stage(c.y),
 //! budget(operations = 96))]`, `#[domain(x > 0.0)]`, `#[specialise(name, x = y, generate(…))]`,
 //! `#[approximate(x = 0.0..=1.0, factor = x.powi(2), tolerance = 1e-13)]`; see [`parse::attributes`]. The module's own
 //! attribute may say how large its numbers are and where they lie, `symbolic(sizes = 1e-9..=1e9, domain(c.beta <= 2.0))`,
@@ -92,7 +97,9 @@
 //! all its numbers, each in the place where it is declared: by `m: [[f64; 3]; 3]` the gradient is a `[f64; 9]`, row by row, by
 //! `(x, q)` it is one list, `x` first. Columns have one column for each number, `m_0_1` for `m[0][1]`. The length of an array
 //! is a number or made of constants of the module and of those that it links; structs within others have to be of these, too.
-//! A parameter holds up to 4,096 numbers. Without a list, partials are by every number that the function's source names, also through the
+//! A parameter holds up to 4,096 numbers. The gradient of a result of several numbers has one row for each, as its Jacobian
+//! has, which is of such results alone: of `f(q: [f64; 6]) -> [f64; 3]` `f::jacobian(q)` is the value and a `[[f64; 6]; 3]`.
+//! The numbers of a tuple, an array or a struct are those of all its parts in order. Without a list, partials are by every number that the function's source names, also through the
 //! formulas that it calls, in the order of its parameters; one that cancels stays among them. A budget holds for the richest
 //! form asked for, the last of value, gradient and Hessian; partials that other formulas call are not in it. A partial's
 //! name must have one meaning: beside parameters `x`, `y` and `x_y` there is no `d_x_y`.
@@ -152,7 +159,8 @@
 //! # What comes out
 //!
 //! The module as written, so that the compiler checks it and tests compare with it, and beside the function `f` a module
-//! `f` with the generated functions `value`, `gradient`, `hessian`, `columns`, `gradient_columns` and partials `d_x`, each
+//! `f` with the generated functions `value`, `gradient`, `jacobian`, `hessian`, `columns`, `gradient_columns`,
+//! `jacobian_columns` and partials `d_x`, each
 //! documented with its count of operations, partials that other modules call among them. `stage(c.y)` gives a module `along_y`: a function `fixed` of what does not
 //! depend on `c.y`, and the bodies `Along` and `Points` of two loops, for tables over the values of `c.y` and for the
 //! points. Columns and stages run on the crate `lanes`, which the crate of the formulas depends on. What is made from a

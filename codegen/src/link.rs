@@ -24,7 +24,7 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 
 use proc_macro2::{Delimiter, Group, Literal, Span, TokenStream, TokenTree};
 use quote::{ToTokens, quote, quote_spanned};
-use syn::{Attribute, Item, ItemMod};
+use syn::{Attribute, ImplItem, Item, ItemMod};
 
 use crate::diagnostics::Diagnostics;
 use crate::expand::{Expansion, expand, nested_too_deep};
@@ -140,6 +140,15 @@ fn needed(item: &Item) -> Option<TokenStream> {
             kept(&mut structure.attrs);
             let fields = structure.fields.iter_mut();
             fields.for_each(|field| kept(&mut field.attrs));
+        }
+        Item::Impl(block) if block.trait_.is_none() => {
+            for item in &mut block.items {
+                match item {
+                    ImplItem::Fn(method) => kept(&mut method.attrs),
+                    ImplItem::Const(constant) => kept(&mut constant.attrs),
+                    _ => {}
+                }
+            }
         }
         _ => return None,
     }

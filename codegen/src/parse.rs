@@ -9,6 +9,7 @@ pub mod attributes;
 pub mod body;
 pub mod condition;
 mod cycles;
+mod impls;
 pub mod imports;
 pub(crate) mod known_methods;
 pub mod linking;

@@ -280,10 +280,18 @@ pub fn rust(expansion: &mut Expansion, name: &str) -> Result<String, ShowError> 
 pub fn forms(expansion: &mut Expansion, name: &str) -> Result<Vec<Generated>, ShowError> {
     let function = function(expansion, name)?;
     let Request {
-        gradient, hessian, ..
+        gradient,
+        jacobian,
+        hessian,
+        ..
     } = function.request.clone().unwrap_or_default();
     let mut forms = vec![value(expansion, &function)?];
-    for (form, by) in [(Form::Gradient, gradient), (Form::Hessian, hessian)] {
+    let asked = [
+        (Form::Gradient, gradient),
+        (Form::Jacobian, jacobian),
+        (Form::Hessian, hessian),
+    ];
+    for (form, by) in asked {
         if let Some(by) = by {
             let generated = expansion.generate(&function, form, &by);
             forms.push(generated.ok_or_else(|| mistakes(expansion, name))?);

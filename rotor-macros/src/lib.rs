@@ -35,6 +35,7 @@ use proc_macro::TokenStream;
 /// |---|---|
 /// | `value` | `f::value(…)` |
 /// | `gradient(x, c.y)` | `f::gradient(…) -> (value, [f64; 2])`; by an array or a struct by all its numbers; without a list by every number that `f` names |
+/// | `jacobian(q)` | `f::jacobian(…) -> (value, [[f64; N]; M])` of a result of M numbers, a row for each |
 /// | `hessian(x, c.y)` | `f::hessian(…) -> (value, [f64; 2], [[f64; 2]; 2])` |
 /// | `columns` | `f::columns(&f::Columns { … }, [&mut …])`, and `f::gradient_columns` where there is a gradient |
 /// | `d_x`, `d_x_y` | `f::d_x(…)`, a partial that formulas of other modules call |

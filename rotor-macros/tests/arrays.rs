@@ -363,3 +363,60 @@ fn elements_are_replaced_and_partials_are_by_them() {
     let expected = 2.0 + 2.0 * x.powi(3) + 3.0 * x.powi(2) + x;
     assert!(close(replaced::of_partials::value(x), expected));
 }
+
+#[rotor_macros::symbolic]
+mod arms {
+    const JOINTS: usize = 3;
+    const LENGTHS: [f64; JOINTS] = [1.0, 0.75, 0.5];
+
+    /// Where a hand in a plane is, and how it is turned, by the angles of its joints.
+    #[generate(jacobian(angles), columns)]
+    pub fn hand(angles: [f64; JOINTS]) -> [f64; 3] {
+        let (mut x, mut y, mut turned) = (0.0, 0.0, 0.0);
+        for (angle, length) in angles.iter().zip(LENGTHS) {
+            turned += angle;
+            let (sine, cosine) = turned.sin_cos();
+            x += length * cosine;
+            y += length * sine;
+        }
+        [x, y, turned]
+    }
+
+    /// Two points, of which the second is mirrored.
+    #[generate(gradient(x), jacobian)]
+    pub fn points(x: f64, y: f64) -> ([f64; 2], f64) {
+        ([x * y, x - y], y)
+    }
+}
+
+#[test]
+fn a_jacobian_has_a_row_for_each_number_of_the_result() {
+    let angles = [0.5, -1.25, 2.0];
+    let (hand, rows) = arms::hand::jacobian(angles);
+    let written = arms::hand(angles);
+    for result in 0..3 {
+        assert!(close(hand[result], written[result]));
+        for by in 0..3 {
+            let of = |x: f64| {
+                let mut angles = angles;
+                angles[by] = x;
+                arms::hand(angles)[result]
+            };
+            assert!(is_slope(rows[result][by], of, angles[by]), "{rows:?}");
+        }
+    }
+    let inputs = arms::hand::Columns {
+        angles_0: &[0.5],
+        angles_1: &[-1.25],
+        angles_2: &[2.0],
+    };
+    let mut all = [[0.0]; 12];
+    arms::hand::jacobian_columns(&inputs, all.each_mut().map(|column| column.as_mut_slice()))
+        .expect("columns of one length");
+    let in_order: Vec<f64> = hand.into_iter().chain(rows.into_iter().flatten()).collect();
+    assert_eq!(all.map(|[x]| x).to_vec(), in_order);
+    let (value, rows) = arms::points::jacobian(2.0, 3.0);
+    assert_eq!(value, ([6.0, -1.0], 3.0));
+    assert_eq!(rows, [[3.0, 2.0], [1.0, -1.0], [0.0, 1.0]]);
+    assert_eq!(arms::points::gradient(2.0, 3.0).1, [[3.0], [1.0], [0.0]]);
+}

@@ -1,6 +1,8 @@
 //! Functions of numbers: a value, a value with its gradient, and with its second partials.
 
-use proc_macro2::{Literal, TokenStream};
+use std::borrow::Cow;
+
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::expression::{Body, Writer};
@@ -16,6 +18,8 @@ pub enum Form {
     Value,
     /// The value and its first partials.
     Gradient,
+    /// Several numbers and the first partials of each.
+    Jacobian,
     /// The value, its first and its second partials.
     Hessian,
 }
@@ -26,6 +30,7 @@ impl Form {
         match self {
             Self::Value => "value",
             Self::Gradient => "gradient",
+            Self::Jacobian => "jacobian",
             Self::Hessian => "hessian",
         }
     }
@@ -33,20 +38,41 @@ impl Form {
 
 /// A symbol as the scalar forms write it: a parameter, its field or its element.
 pub fn symbol_tokens(graph: &Graph, symbol: SymbolId) -> TokenStream {
-    let name = &graph.symbol(symbol).name;
+    let name = of_method(&graph.symbol(symbol).name);
     name.parse().unwrap_or_else(|_| {
-        let name = format_ident!("{}", crate::parse::body::identifier(name));
+        let name = format_ident!("{}", crate::parse::body::identifier(&name));
         quote!(#name)
     })
 }
 
 /// The parameters as the formula declares them.
 pub fn parameters(function: &Function) -> TokenStream {
-    let parameters = function
-        .parameters
-        .iter()
-        .map(|Parameter { name, ty, .. }| quote!(#name: #ty));
+    let parameters = function.parameters.iter();
+    let parameters = parameters.map(|Parameter { name, ty, .. }| {
+        let own = (name == "self").then(|| Ident::new(OF_METHOD, name.span()));
+        let name = own.as_ref().unwrap_or(name);
+        quote!(#name: #ty)
+    });
     quote!(#(#parameters),*)
+}
+
+/// The names of the parameters in generated functions.
+pub fn names(function: &Function) -> impl Iterator<Item = String> {
+    let names = function.parameters.iter();
+    names.map(|parameter| of_method(&parameter.name.to_string()).into_owned())
+}
+
+/// What generated functions call the parameter `self` of a method, which only a method may have.
+pub const OF_METHOD: &str = "self_";
+
+/// A parameter, its field or its element by the name that it has in generated functions.
+fn of_method(name: &str) -> Cow<'_, str> {
+    match name.strip_prefix("self") {
+        Some(rest) if rest.is_empty() || rest.starts_with(['.', '[']) => {
+            Cow::Owned(format!("{OF_METHOD}{rest}"))
+        }
+        _ => Cow::Borrowed(name),
+    }
 }
 
 /// The values in the shape that the formula gives them.
@@ -97,10 +123,7 @@ pub fn function(
     documentation: &[String],
 ) -> TokenStream {
     let symbol = |symbol: SymbolId| symbol_tokens(graph, symbol);
-    let taken = function
-        .parameters
-        .iter()
-        .map(|parameter| parameter.name.to_string());
+    let taken = names(function);
     let Body {
         statements,
         outputs,

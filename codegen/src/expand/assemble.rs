@@ -75,7 +75,8 @@ impl Expansion {
 /// The module of a function's generated forms.
 fn forms_module(function: &Function, items: &[TokenStream]) -> TokenStream {
     let (visibility, name) = (&function.item.vis, &function.item.sig.ident);
-    let doc = format!(" Generated forms of [`{name}`]({name}()).");
+    let written = function.name();
+    let doc = format!(" Generated forms of [`{written}`]({written}()).");
     let conditions = function.conditions();
     let items = one_deeper(quote!(#(#items)*));
     quote! {

@@ -183,7 +183,7 @@ fn unnamed(function: &Function, request: &Request, formula: &Formula) -> Member 
 /// What a number is that a formula takes.
 fn taken(function: &Function, symbol: &str) -> Taken {
     let parameter = function.parameter(root(symbol));
-    let structure = parameter.filter(|parameter| matches!(parameter.shape, Shape::Struct(_)));
+    let structure = parameter.filter(|parameter| matches!(parameter.shape, Shape::Struct(..)));
     match structure.and_then(|parameter| last_name(&parameter.ty)) {
         Some(structure) => Taken {
             structure: Some(structure),

@@ -21,7 +21,8 @@ impl Expansion {
         let mut generated: Vec<(String, Kind, String)> = Vec::new();
         for name in self.forms.keys() {
             let what = format!("the module of the generated forms of `{name}`");
-            generated.push((name.clone(), Kind::Type, what));
+            let module = name.rsplit("::").next().unwrap_or(name);
+            generated.push((module.to_owned(), Kind::Type, what));
         }
         if self.uses_columns {
             let what = "the error of all column forms".to_owned();

@@ -25,10 +25,10 @@ impl Expansion {
         ))];
         for form in generated {
             let names = output_names(&formula.value, &form.graph, &form.by);
-            let (body, name) = if form.form == Form::Value {
-                ("Rows", "columns")
-            } else {
-                ("GradientRows", "gradient_columns")
+            let (body, name) = match form.form {
+                Form::Value => ("Rows", "columns"),
+                Form::Jacobian => ("JacobianRows", "jacobian_columns"),
+                Form::Gradient | Form::Hessian => ("GradientRows", "gradient_columns"),
             };
             let cost = form.circuit.cost();
             let documentation = [

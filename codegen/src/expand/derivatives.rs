@@ -59,7 +59,7 @@ pub fn derive_written(formula: &Formula, form: Form, by: &[SymbolId]) -> Written
     let size = graph.reachable(roots).len();
     let partials = match form {
         Form::Value => 0,
-        Form::Gradient => by.len(),
+        Form::Gradient | Form::Jacobian => by.len(),
         Form::Hessian => by.len() * (by.len() + 1) / 2,
     };
     let reverse = with_partials(graph, roots, form, by, differentiate::gradient);

@@ -4,9 +4,9 @@ use proc_macro2::{Group, Literal, Spacing, TokenStream, TokenTree};
 use quote::{ToTokens, format_ident, quote, quote_spanned};
 
 use crate::emit::columns;
-use crate::emit::scalar::Form;
+use crate::emit::scalar::{self, Form};
 use crate::emit::staged;
-use crate::parse::attributes::StageRequest;
+use crate::parse::attributes::{Request, StageRequest};
 use crate::parse::module::{Function, Module};
 use crate::parse::numbers;
 use crate::parse::shape::Shape;
@@ -77,12 +77,16 @@ fn numbers_of(module: &Module, output: &syn::ReturnType) -> Numbers {
 }
 
 /// The column forms that could not be generated: `Columns` with the fields that the parameters' types tell.
-pub(super) fn column_stubs(function: &Function, with_gradient: bool) -> TokenStream {
+pub(super) fn column_stubs(function: &Function, request: &Request) -> TokenStream {
     let fields = numbers::known(function);
     let inputs = columns::inputs_type(&fields);
-    let names = ["columns", "gradient_columns"];
-    let names = names.iter().take(1 + usize::from(with_gradient));
-    let names = names.map(|name| format_ident!("{name}"));
+    let asked = [
+        ("columns", true),
+        ("gradient_columns", request.gradient.is_some()),
+        ("jacobian_columns", request.jacobian.is_some()),
+    ];
+    let asked = asked.into_iter().filter(|(_, is_asked)| *is_asked);
+    let names = asked.map(|(name, _)| format_ident!("{name}"));
     quote! {
         #inputs
         #(
@@ -174,11 +178,11 @@ pub(super) fn stub_function(
     if signature.receiver().is_some() {
         return TokenStream::new();
     }
-    let (generics, parameters, bounds) = (
-        &signature.generics,
-        &signature.inputs,
-        &signature.generics.where_clause,
-    );
+    let parameters = match &function.of {
+        Some(_) => scalar::parameters(function),
+        None => signature.inputs.to_token_stream(),
+    };
+    let (generics, bounds) = (&signature.generics, &signature.generics.where_clause);
     quote! {
         /// Not generated: see the errors of the module.
         pub fn #name #generics(#parameters) -> #result #bounds {

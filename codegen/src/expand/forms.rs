@@ -41,6 +41,9 @@ impl Expansion {
         if let Some(by) = &request.gradient {
             forms.push((true, Form::Gradient, by.as_slice()));
         }
+        if let Some(by) = &request.jacobian {
+            forms.push((true, Form::Jacobian, by.as_slice()));
+        }
         if let Some(by) = &request.hessian {
             forms.push((true, Form::Hessian, by.as_slice()));
         }
@@ -59,7 +62,7 @@ impl Expansion {
             };
             items.push(generated.tokens.clone());
             richest = Some((form, generated.circuit.cost()));
-            if request.columns && form <= Form::Gradient {
+            if request.columns && form < Form::Hessian {
                 column_forms.push(generated);
             }
         }
@@ -70,7 +73,7 @@ impl Expansion {
             items.extend(self.column_items(function, &column_forms));
         } else if request.columns {
             self.uses_columns = true;
-            items.push(column_stubs(function, request.gradient.is_some()));
+            items.push(column_stubs(function, request));
         }
         let mut staged = Vec::new();
         for (place, stage) in request.stages.iter().enumerate() {
@@ -104,7 +107,7 @@ impl Expansion {
         let formula = self.formula(&function.name())?;
         let by = if form == Form::Value { Vec::new() } else { by };
         let (graph, outputs) = derive(formula, form, &by);
-        let held = (form == Form::Gradient)
+        let held = matches!(form, Form::Gradient | Form::Jacobian)
             .then(|| derive_held(formula, &by))
             .flatten();
         let written = derive_written(formula, form, &by);

@@ -88,10 +88,7 @@ impl Expansion {
         let why: Vec<String> = found.as_written.iter().flat_map(as_written).collect();
         self.use_tables(&graph, &circuit);
         let symbol = |symbol: SymbolId| scalar::symbol_tokens(&graph, symbol);
-        let taken = function
-            .parameters
-            .iter()
-            .map(|parameter| parameter.name.to_string());
+        let taken = scalar::names(function);
         let body = Writer::new(&graph, &circuit, &symbol, taken).body();
         let (statements, outputs) = (body.statements, body.outputs);
         let counts = format!(" Operations: {}.", circuit.cost());

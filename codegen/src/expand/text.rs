@@ -45,10 +45,14 @@ pub(super) fn documentation(
     let value = format!(" Value of [`{name}`](super::{name}())");
     let what = match form {
         Form::Value => format!("{value}."),
-        Form::Gradient | Form::Hessian if by.is_empty() => {
+        Form::Gradient | Form::Jacobian | Form::Hessian if by.is_empty() => {
             format!("{value}, which depends on no number: it has no partials.")
         }
         Form::Gradient => format!("{value} and its partials by {}.", symbols.join(", ")),
+        Form::Jacobian => format!(
+            "{value} and, in a row for each of its numbers, the partials by {}.",
+            symbols.join(", ")
+        ),
         Form::Hessian => format!(
             "{value}, its first and second partials by {}.",
             symbols.join(", ")

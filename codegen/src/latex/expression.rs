@@ -38,7 +38,7 @@ impl<'a> Names<'a> {
             function
                 .parameters
                 .iter()
-                .filter(|parameter| matches!(parameter.shape, Shape::Struct(_)))
+                .filter(|parameter| matches!(parameter.shape, Shape::Struct(..)))
         };
         let alone = |name: &Option<String>| {
             structs()
@@ -448,7 +448,7 @@ impl<'a> Writer<'a> {
                         )
                     })
                 }
-                (Shape::Struct(fields), Some(field)) => {
+                (Shape::Struct(_, fields), Some(field)) => {
                     // The fields of a struct from elsewhere are not known.
                     let known = fields
                         .as_ref()

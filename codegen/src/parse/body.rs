@@ -60,8 +60,8 @@ pub struct Reader<'m> {
     pub partials: BTreeSet<(String, String)>,
     /// The numbers of parameters that the source names, whatever becomes of them.
     pub named: BTreeSet<SymbolId>,
-    /// How many calls are being followed.
-    depth: usize,
+    /// The functions whose calls are being followed, by the keys of their modules and their names.
+    callers: Vec<(String, String)>,
     /// How many statements were followed.
     statements: usize,
     /// The outermost loop that is being followed.
@@ -88,7 +88,7 @@ impl<'m> Reader<'m> {
             integrals: 0,
             partials: BTreeSet::new(),
             named: BTreeSet::new(),
-            depth: 0,
+            callers: Vec::new(),
             statements: 0,
             outermost_loop: None,
             is_beyond: false,
@@ -194,8 +194,9 @@ impl<'m> Reader<'m> {
                     places.map(|place| self.symbolic(element, format!("{path}[{place}]"), role));
                 Value::Array(elements.collect())
             }
-            Shape::Struct(fields) => Value::Parameter {
+            Shape::Struct(of, fields) => Value::Parameter {
                 path,
+                of: of.clone(),
                 role: role.clone(),
                 fields: fields.clone(),
                 replaced: Vec::new(),
@@ -205,19 +206,30 @@ impl<'m> Reader<'m> {
 
     /// The function's result for these arguments.
     fn call(&mut self, function: &Function, arguments: Vec<Value>) -> Option<Value> {
-        if self.depth == DEEPEST_CALL {
-            self.is_beyond = true;
-            let hint = "give the value between two calls as a parameter of a function of its own";
-            self.diagnostics.error_with_hint(
-                function.item.sig.ident.span(),
-                format!("calls of formulas go deeper than {DEEPEST_CALL}"),
-                hint,
-            );
+        if self.is_beyond {
             return None;
         }
-        self.depth += 1;
+        let callee = (self.module.key.clone(), function.name());
+        // Which method is called is known only here, so that methods that call each other are not found before.
+        let again = self.callers.contains(&callee);
+        if again || self.callers.len() == DEEPEST_CALL {
+            self.is_beyond = true;
+            let (message, hint) = if again {
+                let message = format!("`{}` needs its own value", function.name());
+                (message, "write the terms out")
+            } else {
+                let message = format!("calls of formulas go deeper than {DEEPEST_CALL}");
+                let hint =
+                    "give the value between two calls as a parameter of a function of its own";
+                (message, hint)
+            };
+            let span = function.item.sig.ident.span();
+            self.diagnostics.error_with_hint(span, message, hint);
+            return None;
+        }
+        self.callers.push(callee);
         let result = self.followed(function, arguments);
-        self.depth -= 1;
+        self.callers.pop();
         result
     }
 

@@ -13,7 +13,7 @@ use super::imports::Imports;
 use super::names::{Kind, Linked};
 use super::place::Place;
 use super::shape::Shape;
-use super::{cycles, numbers, signature, specialise};
+use super::{cycles, impls, numbers, signature, specialise};
 use crate::diagnostics::Diagnostics;
 use crate::graph::{Domain, Sizes};
 use crate::symbols::Symbols;
@@ -58,6 +58,8 @@ pub struct Module {
 pub struct Function {
     /// Its item, without the generator's own attributes.
     pub item: ItemFn,
+    /// The type that it is a method or a function of.
+    pub of: Option<Ident>,
     /// Its parameters in order.
     pub parameters: Vec<Parameter>,
     /// What is asked of it.
@@ -85,9 +87,13 @@ pub struct Parameter {
 }
 
 impl Function {
-    /// The function's name.
+    /// The function's name, that of a method with its type before it: `Name::method`.
     pub fn name(&self) -> String {
-        self.item.sig.ident.to_string()
+        let name = &self.item.sig.ident;
+        match &self.of {
+            Some(of) => format!("{of}::{name}"),
+            None => name.to_string(),
+        }
     }
 
     /// Whether it is generated over columns too.
@@ -170,15 +176,22 @@ impl Module {
             return module;
         };
         // Types of parameters say structs and constants by their names.
-        for item in items.iter() {
-            module.read_item(item);
+        let mut blocks = Vec::new();
+        for item in items.iter_mut() {
+            blocks.extend(module.read_item(item, diagnostics));
         }
         let mut specialisations = Vec::new();
         for item in items.iter_mut() {
             if let Item::Fn(function) = item {
-                specialisations.extend(module.read_function(function, diagnostics));
+                specialisations.extend(module.read_function(function, None, diagnostics));
             }
         }
+        for impls::Block { of, functions, .. } in blocks {
+            for mut function in functions {
+                module.read_function(&mut function, Some(&of), diagnostics);
+            }
+        }
+        module.check_names_of_methods(diagnostics);
         module.item = item;
         numbers::check_domains(&module, diagnostics);
         // Only now all names are known that a new function could meet.
@@ -190,8 +203,12 @@ impl Module {
         module
     }
 
-    /// Adds what an item says, but for functions.
-    fn read_item(&mut self, item: &Item) {
+    /// Adds what an item says, but for functions; the methods of an `impl` block are left for later.
+    fn read_item(
+        &mut self,
+        item: &mut Item,
+        diagnostics: &mut Diagnostics,
+    ) -> Option<impls::Block> {
         match item {
             Item::Fn(function) => {
                 self.note_private(Kind::Function, &function.sig.ident, &function.vis);
@@ -215,7 +232,51 @@ impl Module {
                     .push((item.ident.to_string(), fields.collect()));
             }
             Item::Use(import) => self.imports.read(import),
+            Item::Impl(item) => {
+                let block = impls::read(item, diagnostics)?;
+                for (name, value) in &block.constants {
+                    let name = format!("{}::{name}", block.of);
+                    self.constants.push((name, value.clone()));
+                }
+                return Some(block);
+            }
             _ => {}
+        }
+        None
+    }
+
+    /// Reports methods whose generated forms would be in the module of another function's, and asks for none of them.
+    fn check_names_of_methods(&mut self, diagnostics: &mut Diagnostics) {
+        let functions = self.functions.iter();
+        let others: Vec<(String, Ident)> = functions
+            .filter(|known| known.of.is_none() || known.request.is_some())
+            .map(|known| (known.name(), known.item.sig.ident.clone()))
+            .collect();
+        for function in &mut self.functions {
+            let (name, ident) = (function.name(), function.item.sig.ident.clone());
+            let chain = function.request.as_ref().and_then(|it| it.chain.as_ref());
+            if let (Some(_), Some(chain)) = (&function.of, chain) {
+                diagnostics.error_with_hint(
+                    chain.span,
+                    "a method takes no part in the chain",
+                    "write a function that calls it",
+                );
+                if let Some(request) = &mut Rc::make_mut(function).request {
+                    request.chain = None;
+                }
+            }
+            let before = others.iter().take_while(|(other, _)| *other != name);
+            if function.of.is_some()
+                && function.request.is_some()
+                && before.into_iter().any(|(_, other)| *other == ident)
+            {
+                diagnostics.error_with_hint(
+                    ident.span(),
+                    format!("the generated forms of another function are in a module `{ident}`"),
+                    "give one of the two another name: forms are in a module of their function's name",
+                );
+                Rc::make_mut(function).request = None;
+            }
         }
     }
 
@@ -267,6 +328,7 @@ impl Module {
     fn read_function(
         &mut self,
         item: &mut ItemFn,
+        of: Option<&Ident>,
         diagnostics: &mut Diagnostics,
     ) -> Vec<(String, Specialisation)> {
         let attributes = FunctionAttributes::read(&item.attrs, diagnostics);
@@ -284,6 +346,7 @@ impl Module {
         let parameters = signature::read(self, item, diagnostics);
         let mut function = Function {
             item: item.clone(),
+            of: of.cloned(),
             parameters,
             readable: true,
             request: attributes.request,
@@ -312,6 +375,14 @@ impl Module {
         let place = self.functions.len();
         self.places.entry(function.name()).or_insert(place);
         self.functions.push(Rc::new(function));
+        if let (Some(of), Some(special)) = (of, attributes.specialisations.first()) {
+            diagnostics.error_with_hint(
+                special.name.span(),
+                format!("a method of `{of}` is not specialised"),
+                "write a function that calls it",
+            );
+            return Vec::new();
+        }
         let specialisations = attributes.specialisations.into_iter();
         specialisations
             .map(|special| (name.clone(), special))

@@ -73,6 +73,22 @@ impl Module {
         Some((Callee { home, function }, found.rest.into_iter().next()))
     }
 
+    /// The methods of that name of a type, in this module and in those that it links.
+    pub(super) fn methods(&self, of: &str, name: &str) -> Vec<Callee<'_>> {
+        let joined = format!("{of}::{name}");
+        let linked = self.linked.iter().map(|linked| linked.module.as_ref());
+        let mut found: Vec<Callee<'_>> = Vec::new();
+        for home in std::iter::once(self).chain(linked) {
+            if let Some(function) = home.function(&joined) {
+                let callee = Callee { home, function };
+                if !found.iter().any(|known| known.is(&callee)) {
+                    found.push(callee);
+                }
+            }
+        }
+        found
+    }
+
     /// The constant that a path stands for, with the module that it is in.
     pub(super) fn constant(&self, path: &Path) -> Option<(&Module, &str)> {
         let found = self.find(&names_of(path), Kind::Constant).ok()?;
@@ -148,6 +164,22 @@ impl Module {
 
     fn own(&self, names: &[String], kind: Kind, view: View) -> Option<Found<'_>> {
         let (name, rest) = names.split_first()?;
+        // A method, or a constant of a type.
+        if let [of, name] = names {
+            let joined = format!("{of}::{name}");
+            let known = match kind {
+                Kind::Function => self.function(&joined).is_some(),
+                Kind::Constant => self.constants.iter().any(|(own, _)| *own == joined),
+                Kind::Struct => false,
+            };
+            if known {
+                return Some(Found {
+                    home: self,
+                    name: joined,
+                    rest: Vec::new(),
+                });
+            }
+        }
         let known = match kind {
             Kind::Function => rest.len() <= 1 && self.function(name).is_some(),
             Kind::Constant => rest.is_empty() && self.constants.iter().any(|(own, _)| own == name),

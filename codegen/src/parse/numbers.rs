@@ -17,10 +17,13 @@ pub(super) fn settle_targets(module: &mut Module, diagnostics: &mut Diagnostics)
         let Some(mut request) = function.request.take() else {
             continue;
         };
-        for list in [&mut request.gradient, &mut request.hessian]
-            .into_iter()
-            .flatten()
-        {
+        let Request {
+            gradient,
+            jacobian,
+            hessian,
+            ..
+        } = &mut request;
+        for list in [gradient, jacobian, hessian].into_iter().flatten() {
             let targets = std::mem::take(list);
             list.extend(
                 targets

@@ -21,8 +21,8 @@ pub enum Shape {
     Number,
     /// `[T; n]`
     Array(Box<Shape>, usize),
-    /// A struct; the fields of one from elsewhere are not known, and are taken for numbers.
-    Struct(Option<Fields>),
+    /// A struct by its name; the fields of one from elsewhere are not known, and are taken for numbers.
+    Struct(String, Option<Fields>),
 }
 
 /// The fields of a struct by their names.
@@ -49,7 +49,12 @@ impl Shape {
             Type::Path(path) => {
                 let last = path.path.segments.last()?;
                 let plain = !is_other_type(&path.path) && last.arguments.is_none();
-                plain.then(|| Self::Struct(fields_at(module, &path.path, DEEPEST)))
+                plain.then(|| {
+                    Self::Struct(
+                        last.ident.to_string(),
+                        fields_at(module, &path.path, DEEPEST),
+                    )
+                })
             }
             _ => None,
         }
@@ -71,10 +76,13 @@ impl Shape {
                     None => Self::Number,
                 }
             }
-            Type::Path(path) => match fields_at(module, &path.path, depth) {
-                Some(fields) => Self::Struct(Some(fields)),
-                None => Self::Number,
-            },
+            Type::Path(path) => {
+                let last = path.path.segments.last();
+                match (last, fields_at(module, &path.path, depth)) {
+                    (Some(last), fields @ Some(_)) => Self::Struct(last.ident.to_string(), fields),
+                    _ => Self::Number,
+                }
+            }
             _ => Self::Number,
         }
     }
@@ -84,7 +92,7 @@ impl Shape {
         match self {
             Self::Number => Some(1),
             Self::Array(element, length) => Some(element.count()?.saturating_mul(*length)),
-            Self::Struct(fields) => fields
+            Self::Struct(_, fields) => fields
                 .as_ref()?
                 .iter()
                 .try_fold(0_usize, |count, (_, field)| {
@@ -104,7 +112,7 @@ impl Shape {
                     .flat_map(|place| element.numbers(&format!("{name}[{place}]")))
                     .collect()
             }
-            Self::Struct(fields) => {
+            Self::Struct(_, fields) => {
                 let fields = fields.iter().flat_map(|fields| fields.iter());
                 fields
                     .flat_map(|(field, shape)| shape.numbers(&format!("{name}.{field}")))
@@ -132,7 +140,7 @@ impl Shape {
                     (None, None) => Err(format!("`{name}` is empty")),
                 }
             }
-            Self::Struct(fields) => {
+            Self::Struct(_, fields) => {
                 let path = path.strip_prefix('.');
                 let end = |path: &str| path.find(['.', '[']).unwrap_or(path.len());
                 let field = path.map(|path| path.split_at(end(path)));

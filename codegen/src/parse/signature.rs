@@ -48,7 +48,7 @@ fn parameter(module: &Module, input: &FnArg, diagnostics: &mut Diagnostics) -> O
         diagnostics.error_with_hint(
             input.span(),
             "a formula has no `self`",
-            "give the struct as a parameter: c: &Name",
+            "give the struct as a parameter, `c: &Name`, or write the formula in an `impl` block of the struct",
         );
         return None;
     };
@@ -60,6 +60,16 @@ fn parameter(module: &Module, input: &FnArg, diagnostics: &mut Diagnostics) -> O
         );
         return None;
     };
+    if let syn::Type::Reference(reference) = typed.ty.as_ref()
+        && let Some(mutability) = &reference.mutability
+    {
+        diagnostics.error_with_hint(
+            mutability.span(),
+            "a formula changes nothing that it is given",
+            "take it by `&` or by value, and give what is new as the result",
+        );
+        return None;
+    }
     let Some(shape) = Shape::of(module, &typed.ty) else {
         diagnostics.error_with_hint(
             typed.ty.span(),

@@ -58,6 +58,7 @@ pub(super) fn function(
     match item {
         Ok(item) => Some(Function {
             item,
+            of: None,
             parameters,
             request: Some(specialisation.request.clone()),
             domain: domain.cloned().collect(),

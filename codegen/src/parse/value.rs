@@ -32,6 +32,8 @@ pub enum Value {
     Parameter {
         /// The parameter's name.
         path: String,
+        /// The name of its type.
+        of: String,
         /// What its symbols stand for.
         role: Role,
         /// Its fields, where the struct is known.

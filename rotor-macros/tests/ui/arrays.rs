@@ -64,6 +64,11 @@ mod formulas {
         q[0]
     }
 
+    #[generate(jacobian(q), columns)]
+    pub fn of_one_number(q: [f64; N]) -> f64 {
+        q[0]
+    }
+
     pub fn too_many_elements(x: f64) -> f64 {
         let a = [[x; 1000]; 1000];
         let b = [x; -1];
@@ -71,4 +76,6 @@ mod formulas {
     }
 }
 
-fn main() {}
+fn main() {
+    let _ = formulas::of_one_number::jacobian([0.0; 3]);
+}

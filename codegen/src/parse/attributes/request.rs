@@ -16,6 +16,8 @@ pub struct Request {
     pub value: bool,
     /// First partials by these numbers, or by every number the function uses where the list is empty.
     pub gradient: Option<Vec<Target>>,
+    /// First partials of a result of several numbers, by the same rule.
+    pub jacobian: Option<Vec<Target>>,
     /// Second partials by these, by every number the function uses where the list is empty.
     pub hessian: Option<Vec<Target>>,
     /// Forms over slices, of the value and of the gradient where there is one.
@@ -61,15 +63,15 @@ impl StageRequest {
 impl Request {
     /// Every number that the forms are derived by, or run along.
     pub fn targets(&self) -> impl Iterator<Item = &Target> {
-        let lists = [&self.gradient, &self.hessian];
+        let lists = [&self.gradient, &self.jacobian, &self.hessian];
         let derived = lists.into_iter().flatten().flatten();
         derived.chain(self.stages.iter().flat_map(|stage| &stage.inner))
     }
 }
 
 /// The words of a request, but for partials.
-const FORMS: [&str; 7] = [
-    "value", "gradient", "hessian", "columns", "stage", "chain", "budget",
+const FORMS: [&str; 8] = [
+    "value", "gradient", "jacobian", "hessian", "columns", "stage", "chain", "budget",
 ];
 
 pub(super) fn read(words: &[Expr], span: Span, diagnostics: &mut Diagnostics) -> Request {
@@ -78,7 +80,7 @@ pub(super) fn read(words: &[Expr], span: Span, diagnostics: &mut Diagnostics) ->
         diagnostics.error_with_hint(
             span,
             "`generate` names no form",
-            "write one of value, gradient(x, y), hessian(x, y), columns, stage(x)",
+            "write one of value, gradient(x, y), jacobian(x, y), hessian(x, y), columns, stage(x)",
         );
     }
     let mut asked: Vec<String> = Vec::new();
@@ -105,6 +107,7 @@ pub(super) fn read(words: &[Expr], span: Span, diagnostics: &mut Diagnostics) ->
             "value" => request.value = true,
             "columns" => request.columns = true,
             "gradient" => request.gradient = Some(targets(&arguments, diagnostics)),
+            "jacobian" => request.jacobian = Some(targets(&arguments, diagnostics)),
             "hessian" => request.hessian = Some(targets(&arguments, diagnostics)),
             "stage" => request.stages.extend(stage(name, &arguments, diagnostics)),
             "chain" => request.chain = Some(chain(name, &arguments, diagnostics)),

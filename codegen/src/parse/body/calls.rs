@@ -65,10 +65,64 @@ impl<'m> Reader<'m> {
             // Entered before it is known to exist, so that a call of one that does not is reported once.
             self.partials.insert((function.name(), partial.clone()));
         }
-        let arguments = self.arguments(callee, call, scope)?;
+        let arguments = self.all(call.args.iter(), scope);
+        let places: Vec<Span> = call.args.iter().map(Spanned::span).collect();
+        let arguments = self.arguments(callee, arguments, &places, call.span())?;
         self.within(home, |reader| match partial {
             Some(partial) => reader.partial(function, &partial, arguments, span),
             None => reader.call_or_table(function, arguments, span),
+        })
+    }
+
+    /// `c.method(…)`: a formula in an `impl` block of the struct.
+    pub(super) fn method_of_struct(
+        &mut self,
+        call: &syn::ExprMethodCall,
+        receiver: Value,
+        scope: &mut Scope,
+    ) -> Option<Value> {
+        let of = match &receiver {
+            Value::Parameter { of, .. } => of.clone(),
+            Value::Struct { name, .. } => name
+                .rsplit("::")
+                .next()
+                .unwrap_or_default()
+                .trim()
+                .to_owned(),
+            _ => return None,
+        };
+        let name = call.method.to_string();
+        let others = self.all(call.args.iter(), scope);
+        if name == "clone" && call.args.is_empty() {
+            return Some(receiver);
+        }
+        let module = self.module;
+        let callee = match *module.methods(&of, &name).as_slice() {
+            [callee] => callee,
+            [] => {
+                let message = format!("`{of}` has no method `{name}` here");
+                let hint = "formulas call methods in `impl` blocks of their own module, and of those that it links by `with(…)`";
+                self.diagnostics
+                    .error_with_hint(call.method.span(), message, hint);
+                return None;
+            }
+            [..] => {
+                let what = format!("`{name}` of several structs `{of}`");
+                let hint = "give one of the structs another name";
+                return self.unsupported(call.method.span(), &what, hint);
+            }
+        };
+        let arguments = others.map(|others| {
+            let mut all = vec![receiver];
+            all.extend(others);
+            all
+        });
+        let mut places = vec![call.receiver.span()];
+        places.extend(call.args.iter().map(Spanned::span));
+        let arguments = self.arguments(callee, arguments, &places, call.span())?;
+        let Callee { home, function } = callee;
+        self.within(home, |reader| {
+            reader.call_or_table(function, arguments, call.method.span())
         })
     }
 
@@ -99,6 +153,15 @@ impl<'m> Reader<'m> {
                 let message = format!("unknown function `{name}`");
                 (message, (name, self.module.functions_in_sight()))
             }
+            ([of, name], None) if self.module.structs.iter().any(|(known, _)| known == of) => {
+                let functions = self.module.functions.iter();
+                let functions = functions.filter_map(|known| {
+                    let of_it = known.of.as_ref().is_some_and(|its| its == of);
+                    of_it.then(|| known.item.sig.ident.to_string())
+                });
+                let message = format!("`{of}` has no function `{name}` here");
+                (message, (name, functions.collect()))
+            }
             ([name, _], None) if !matches!(name.as_str(), "super" | "crate" | "self") => {
                 let message = format!("unknown function `{name}`");
                 (message, (name, self.module.functions_in_sight()))
@@ -127,30 +190,30 @@ impl<'m> Reader<'m> {
     fn arguments(
         &mut self,
         Callee { home, function }: Callee<'m>,
-        call: &syn::ExprCall,
-        scope: &mut Scope,
+        arguments: Option<Vec<Value>>,
+        places: &[Span],
+        call: Span,
     ) -> Option<Vec<Value>> {
         let linked = home.key != self.reading.key;
         let expected = function.parameters.len();
-        let arguments = self.all(call.args.iter(), scope);
         if !function.readable {
             // It is reported where it stands.
             self.linked_mistake |= linked;
             return None;
         }
-        if call.args.len() != expected {
+        if places.len() != expected {
             let names: Vec<String> = function
                 .parameters
                 .iter()
                 .map(|parameter| parameter.name.to_string())
                 .collect();
             self.diagnostics.error_with_hint(
-                call.span(),
+                call,
                 format!(
                     "`{}` takes {expected} argument{}, not {}",
                     function.name(),
                     if expected == 1 { "" } else { "s" },
-                    call.args.len()
+                    places.len()
                 ),
                 format!("it is {}({})", function.name(), names.join(", ")),
             );
@@ -158,8 +221,7 @@ impl<'m> Reader<'m> {
         }
         let arguments = arguments?;
         let mut all_fit = true;
-        for ((argument, parameter), expression) in
-            arguments.iter().zip(&function.parameters).zip(&call.args)
+        for ((argument, parameter), place) in arguments.iter().zip(&function.parameters).zip(places)
         {
             if !suits(&parameter.shape, argument) {
                 let hint = match &parameter.shape {
@@ -168,10 +230,10 @@ impl<'m> Reader<'m> {
                         format!("it is an array of {length} numbers")
                     }
                     Shape::Array(_, length) => format!("it is an array of {length} elements"),
-                    Shape::Struct(_) => "it is a struct".to_owned(),
+                    Shape::Struct(..) => "it is a struct".to_owned(),
                 };
                 self.diagnostics.error_with_hint(
-                    expression.span(),
+                    *place,
                     format!(
                         "`{}` of `{}` can't be {}",
                         parameter.name,
@@ -309,7 +371,7 @@ fn suits(shape: &Shape, value: &Value) -> bool {
         (Shape::Array(element, length), Value::Array(values)) => {
             values.len() == *length && values.iter().all(|value| suits(element, value))
         }
-        (Shape::Struct(_), Value::Parameter { .. } | Value::Struct { .. }) => true,
+        (Shape::Struct(..), Value::Parameter { .. } | Value::Struct { .. }) => true,
         _ => false,
     }
 }

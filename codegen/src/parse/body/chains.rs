@@ -96,6 +96,9 @@ impl<'m> Reader<'m> {
                 Some(value @ (Value::Array(_) | Value::Iterator(_))) => {
                     self.method_of_many(call, value, scope)
                 }
+                Some(value @ (Value::Parameter { .. } | Value::Struct { .. })) => {
+                    self.method_of_struct(call, value, scope)
+                }
                 value => {
                     let receiver = value.and_then(|value| self.number_of(value, &call.receiver));
                     self.method(&Called::of(call), receiver, scope)

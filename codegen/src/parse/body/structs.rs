@@ -19,6 +19,7 @@ impl<'m> Reader<'m> {
                 role,
                 fields,
                 replaced,
+                ..
             } => {
                 let known = |fields: &Fields| {
                     let mut fields = fields.iter();
@@ -100,6 +101,7 @@ impl<'m> Reader<'m> {
         match base {
             Some(Value::Parameter {
                 path,
+                of,
                 role,
                 fields: known,
                 replaced,
@@ -107,6 +109,7 @@ impl<'m> Reader<'m> {
                 taken_over(&mut fields, replaced);
                 return Some(Value::Parameter {
                     path,
+                    of,
                     role,
                     fields: known,
                     replaced: fields,
