@@ -217,7 +217,8 @@
 //!   NaN, where there are none. Second derivatives of `hypot` by one of its numbers lose digits where the other is much smaller.
 //! - **Signs of zero and NaN.** A form may be 0 where the author's is −0, and finite where the author's is NaN: x − x and 0·x
 //!   are 0, unless a `min` or `max` takes them. The literal `-0.0` is refused.
-//!   What jumps with the sign of a computed zero, `copysign`, `signum`, and `atan2` on the negative axis, may be on the other side.
+//!   What jumps with the sign of a computed zero, `copysign`, `signum`, `atan2` on the negative axis, and the infinity that
+//!   a division by one gives, may be on the other side.
 //! - **Whole numbers** are known, and go up to 2³¹ − 1 in size, as an `i32`: what leaves that range is refused. A difference
 //!   below 0, which is a panic of `usize` in the function as written, is a negative number.
 //! - **Size.** Calls may be nested 256 deep, groups of tokens 128 deep; a chain of operators or methods may be of any length.

@@ -156,6 +156,12 @@ fn of_comparison(function: Function, [a, b, x, y]: [Bounded; 4]) -> Bounded {
     if error.is_nan() {
         return Bounded::unknown(chosen.value);
     }
+    // What is larger than any number is larger than those that are known.
+    let is_beyond =
+        |x: Bounded, y: Bounded| x.value.is_infinite() && y.error.is_finite() && x.value != y.value;
+    if is_beyond(a, b) || is_beyond(b, a) {
+        return chosen;
+    }
     let is_open = error > 0.0 && (a.value - b.value).abs() <= error * UNIT;
     if !is_open {
         return chosen;

@@ -139,7 +139,8 @@ pub fn differences(graph: &Graph, roots: &[ExprId]) -> Vec<Difference> {
     differences
 }
 
-/// The inputs, with their factors, and the numbers among the terms of a sum, or of the difference that a choice looks at.
+/// The inputs, with their factors, and the numbers among the terms of a sum, or of the difference that a choice looks at; or
+/// two inputs of which one is divided by the other, which may be a whole number of times.
 fn subtracted(graph: &Graph, id: ExprId) -> Vec<(Option<SymbolId>, f64)> {
     let input = |operand: ExprId, coefficient: f64| match graph.node(operand) {
         Node::Symbol(symbol) => Some((Some(*symbol), coefficient)),
@@ -152,6 +153,16 @@ fn subtracted(graph: &Graph, id: ExprId) -> Vec<(Option<SymbolId>, f64)> {
                 input(*operand, coefficient.to_f64().unwrap_or(f64::NAN))
             });
             terms.flatten().collect()
+        }
+        Node::Product(factors) => {
+            let divided = factors.iter().map(|(factor, exponent)| match exponent {
+                1 => input(*factor, 1.0),
+                -1 => input(*factor, -1.0),
+                _ => None,
+            });
+            let divided: Vec<_> = divided.flatten().collect();
+            let divides = matches!(divided.as_slice(), [(Some(_), 1.0), (Some(_), -1.0)]);
+            if divides { divided } else { Vec::new() }
         }
         Node::Apply(function, operands) if function.is_choice() => {
             let compared = operands.iter().zip([1.0, -1.0]);
@@ -221,7 +232,7 @@ fn near_differences(graph: &Graph, differences: &[Difference], number: u64) -> V
     let mut values: Vec<f64> = symbols
         .map(|(_, symbol)| within(symbol, size * everyday(&mut random)))
         .collect();
-    if far || number.is_multiple_of(4) || differences.is_empty() {
+    if number.is_multiple_of(4) || differences.is_empty() {
         return values;
     }
     // Each difference is the last one at some points, so that no other moves its numbers apart again.
@@ -235,7 +246,8 @@ fn near_differences(graph: &Graph, differences: &[Difference], number: u64) -> V
         let other = difference.other.map_or(1.0, |other| values[other.index()]);
         // Twelve digits gone, six, or a few, so that what is left is small, and its inverse large but not very.
         let bits = [40, 40, 20, 9][random.below(4) as usize];
-        let near = 1.0 + random.below(4) as f64 * 2.0_f64.powi(-bits);
+        let apart = (random.below(7) as f64 - 3.0) * 2.0_f64.powi(-bits);
+        let near = 1.0 + apart;
         let symbol = graph.symbol(difference.symbol);
         values[difference.symbol.index()] = within(symbol, difference.ratio * other * near);
         if random.below(2) == 0 {

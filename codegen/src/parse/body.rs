@@ -60,8 +60,8 @@ pub struct Reader<'m> {
     pub partials: BTreeSet<(String, String)>,
     /// The numbers of parameters that the source names, whatever becomes of them.
     pub named: BTreeSet<SymbolId>,
-    /// The functions whose calls are being followed, by the keys of their modules and their names.
-    callers: Vec<(String, String)>,
+    /// The functions whose calls are being followed, by where they are.
+    callers: Vec<*const Function>,
     /// How many statements were followed.
     statements: usize,
     /// The outermost loop that is being followed.
@@ -209,7 +209,7 @@ impl<'m> Reader<'m> {
         if self.is_beyond {
             return None;
         }
-        let callee = (self.module.key.clone(), function.name());
+        let callee = std::ptr::from_ref(function);
         // Which method is called is known only here, so that methods that call each other are not found before.
         let again = self.callers.contains(&callee);
         if again || self.callers.len() == DEEPEST_CALL {

@@ -147,7 +147,7 @@ impl<const ROUGH: bool> Interval<ROUGH> {
         Self::inherited(value, &[self, other]).unwrap_or_else(|| {
             let ends = [(self.low, other.low), (self.high, other.high)];
             Self {
-                signless: value == 0.0 && (self.value != 0.0 || self.signless || other.signless),
+                signless: value == 0.0,
                 ..Self::from_ends(value, &ends, exact_sum)
             }
         })
@@ -156,7 +156,7 @@ impl<const ROUGH: bool> Interval<ROUGH> {
     fn product(self, other: Self) -> Self {
         let value = self.value * other.value;
         Self::inherited(value, &[self, other]).unwrap_or_else(|| Self {
-            signless: value == 0.0 && (self.signless || other.signless),
+            signless: value == 0.0,
             ..Self::from_ends(value, &corners(self, other), exact_product)
         })
     }
@@ -175,7 +175,7 @@ impl<const ROUGH: bool> Interval<ROUGH> {
             };
         }
         Self {
-            signless: value == 0.0 && self.signless,
+            signless: value == 0.0,
             ..Self::from_ends(value, &corners(self, other), exact_quotient)
         }
     }

@@ -13,9 +13,10 @@ use crate::graph::{Graph, Sizes, Symbol, SymbolId};
 use crate::interpret::Prepared;
 
 /// How far along a ray sizes are looked at, as powers of two: as far as there are numbers. Between them the sizes are
-/// straight lines nearly everywhere.
-const STEPS: [f64; 9] = [
-    -1073.0, -530.0, -260.0, -70.0, 0.0, 70.0, 260.0, 530.0, 1023.0,
+/// straight lines nearly everywhere, but for exponentials, which leave the range for arguments of some hundreds.
+const STEPS: [f64; 19] = [
+    -1073.0, -530.0, -260.0, -70.0, -12.0, -9.5, -8.5, -7.5, -5.0, 0.0, 5.0, 7.5, 8.5, 9.5, 12.0,
+    70.0, 260.0, 530.0, 1023.0,
 ];
 
 /// How fast one of two inputs is moved: it is still a number where the other is among the smallest.
@@ -23,6 +24,9 @@ const SLOWER: f64 = 0.9;
 
 /// The sizes just beyond the range of numbers, as powers of two: infinity, and numbers of which half of the digits are gone.
 const ENDS: [f64; 2] = [1024.5, -1048.0];
+
+/// How many rays move one input, where there are no more inputs than these.
+const ALONE: usize = 4;
 
 /// How many rays move several inputs, where there are several: those of all pairs first.
 const SEVERAL: usize = 24;
@@ -55,7 +59,7 @@ pub fn rays(
 }
 
 /// The inputs that are moved, with the powers by which they are, and the number that one of them has at the start.
-#[derive(Default)]
+#[derive(Clone, Default)]
 struct Direction<'d> {
     moved: Vec<(SymbolId, f64)>,
     zero: Option<SymbolId>,
@@ -87,6 +91,9 @@ fn directions<'d>(used: &[SymbolId]) -> impl Iterator<Item = Direction<'d>> {
         let moved = used.iter().map(|symbol| (*symbol, power(&mut random)));
         moved.collect::<Vec<_>>()
     });
+    // A few inputs are each moved from several points.
+    let times = (ALONE / used.len().max(1)).max(1);
+    let alone = std::iter::repeat_n(alone, times).flatten();
     let several = if used.len() > 1 { SEVERAL } else { 0 };
     alone
         .chain(pairs.chain(any).take(several))
@@ -117,8 +124,12 @@ fn vanishing<'d>(
     let zeros: Vec<Direction<'_>> = zeros.collect();
     let equals: Vec<Direction<'_>> = equals.collect();
     [zeros, equals].into_iter().flat_map(|all| {
-        let share = (VANISHING / 2) as f64 / all.len().max(VANISHING / 2) as f64;
-        super::spread(all, share)
+        let count = VANISHING / 2;
+        // A few are looked at from several points each.
+        let times = (count / all.len().max(1)).clamp(1, ALONE);
+        let share = count as f64 / all.len().max(count) as f64;
+        let chosen: Vec<Direction<'_>> = super::spread(all, share).collect();
+        std::iter::repeat_n(chosen, times).flatten()
     })
 }
 
