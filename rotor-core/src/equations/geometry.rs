@@ -25,22 +25,32 @@ mod formulas {
     /// The loads at the crack in the model `support-arm`: Eq. (6) with the lever arm $-l_c$ (E3).
     #[generate(value, columns, chain)]
     pub fn support_arm(p: &RotorParameters) -> SectionLoads {
+        let (crack, disk) = (p.crack_position_ratio, p.disk_position_ratio);
         SectionLoads {
-            moment_of_force: -p.crack_position_ratio * p.shaft_length,
+            moment_of_force: -crack * p.shaft_length,
             shear_of_force: 1.0,
             moment_of_couple: 1.0,
             shear_of_couple: 0.0,
+            moment_of_left: -(crack + disk) * p.shaft_length,
+            shear_of_left: 1.0,
+            moment_of_right: (1.0 - disk - crack) * p.shaft_length,
+            shear_of_right: 1.0,
         }
     }
 
     /// The loads at the crack in the model `midspan-arm`: Eq. (6) as printed, with the arm $L/2 - l_c$.
     #[generate(value, columns, chain)]
     pub fn midspan_arm(p: &RotorParameters) -> SectionLoads {
+        let (arm, disk) = (0.5 - p.crack_position_ratio, p.disk_position_ratio);
         SectionLoads {
-            moment_of_force: (0.5 - p.crack_position_ratio) * p.shaft_length,
+            moment_of_force: arm * p.shaft_length,
             shear_of_force: 1.0,
             moment_of_couple: 1.0,
             shear_of_couple: 0.0,
+            moment_of_left: (arm - disk) * p.shaft_length,
+            shear_of_left: 1.0,
+            moment_of_right: (arm + (1.0 - disk)) * p.shaft_length,
+            shear_of_right: 1.0,
         }
     }
 
@@ -53,6 +63,10 @@ mod formulas {
             shear_of_force: right,
             moment_of_couple: -p.crack_position_ratio,
             shear_of_couple: -1.0 / p.shaft_length,
+            moment_of_left: p.crack_position_ratio * p.shaft_length,
+            shear_of_left: 1.0,
+            moment_of_right: 0.0,
+            shear_of_right: 0.0,
         }
     }
 
@@ -65,6 +79,10 @@ mod formulas {
             shear_of_force: -left,
             moment_of_couple: 1.0 - p.crack_position_ratio,
             shear_of_couple: -1.0 / p.shaft_length,
+            moment_of_left: 0.0,
+            shear_of_left: 0.0,
+            moment_of_right: (1.0 - p.crack_position_ratio) * p.shaft_length,
+            shear_of_right: -1.0,
         }
     }
 }

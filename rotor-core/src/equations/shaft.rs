@@ -20,6 +20,8 @@ mod formulas {
             f14: scale * p.shaft_length * left * right * (right - left),
             f44: scale * (left.powi(3) + right.powi(3)),
             determinant: (scale * p.shaft_length).powi(2) * (left * right).powi(3),
+            of_left: scale * right.powi(3),
+            of_right: scale * left.powi(3),
         }
     }
 
@@ -42,21 +44,26 @@ mod formulas {
         }
     }
 
+    /// $M_F V_M - M_M V_F$, the loads' cross product.
+    pub fn crossed_loads(p: &RotorParameters, s: &SectionLoads) -> f64 {
+        (s.moment_of_left * s.shear_of_right - s.moment_of_right * s.shear_of_left) / p.shaft_length
+    }
+
     /// Determinant $a_{11}a_{44} - a_{14}^2$ of a plane of Eq. (6) from the crack's compliances in it, each term ≥ 0.
     pub fn flexibility_determinant(
+        p: &RotorParameters,
         f: &ShaftFlexibility,
         s: &SectionLoads,
         shear: f64,
         bending: f64,
     ) -> f64 {
-        let by_moment = f.f44 * s.moment_of_force.powi(2)
-            - 2.0 * f.f14 * s.moment_of_force * s.moment_of_couple
-            + f.f11 * s.moment_of_couple.powi(2);
-        let by_shear = f.f44 * s.shear_of_force.powi(2)
-            - 2.0 * f.f14 * s.shear_of_force * s.shear_of_couple
-            + f.f11 * s.shear_of_couple.powi(2);
-        let crossed = s.moment_of_force * s.shear_of_couple - s.moment_of_couple * s.shear_of_force;
-        f.determinant + bending * by_moment + shear * by_shear + shear * bending * crossed.powi(2)
+        let by_moment =
+            f.of_left * s.moment_of_left.powi(2) + f.of_right * s.moment_of_right.powi(2);
+        let by_shear = f.of_left * s.shear_of_left.powi(2) + f.of_right * s.shear_of_right.powi(2);
+        f.determinant
+            + bending * by_moment
+            + shear * by_shear
+            + shear * bending * crossed_loads(p, s).powi(2)
     }
 
     /// Stiffness of the cracked shaft, Eq. (10).
@@ -66,15 +73,18 @@ mod formulas {
     pub fn stiffness(p: &RotorParameters, s: &SectionLoads, c: &CrackCompliance) -> Stiffness {
         let f = shaft_flexibility(p);
         let a = cracked_flexibility(&f, c, s);
-        let half_inverse_1 = 0.5 / flexibility_determinant(&f, s, c.c11, c.c44);
-        let half_inverse_2 = 0.5 / flexibility_determinant(&f, s, c.c22, c.c33);
+        let half_inverse_1 = 0.5 / flexibility_determinant(p, &f, s, c.c11, c.c44);
+        let half_inverse_2 = 0.5 / flexibility_determinant(p, &f, s, c.c22, c.c33);
 
-        // adj(F) applied to the moments and to the shears, and the loads' cross product.
-        let moment_t = f.f44 * s.moment_of_force - f.f14 * s.moment_of_couple;
-        let moment_m = f.f11 * s.moment_of_couple - f.f14 * s.moment_of_force;
-        let shear_t = f.f44 * s.shear_of_force - f.f14 * s.shear_of_couple;
-        let shear_m = f.f11 * s.shear_of_couple - f.f14 * s.shear_of_force;
-        let crossed = s.moment_of_force * s.shear_of_couple - s.moment_of_couple * s.shear_of_force;
+        // adj(F) applied to the moments and to the shears, f44 M_F − f14 M_M and f11 M_M − f14 M_F, by reactions, and the loads'
+        // cross product.
+        let left = f.of_left * p.disk_position_ratio * p.shaft_length;
+        let right = f.of_right * (1.0 - p.disk_position_ratio) * p.shaft_length;
+        let moment_t = f.of_left * s.moment_of_left + f.of_right * s.moment_of_right;
+        let moment_m = right * s.moment_of_right - left * s.moment_of_left;
+        let shear_t = f.of_left * s.shear_of_left + f.of_right * s.shear_of_right;
+        let shear_m = right * s.shear_of_right - left * s.shear_of_left;
+        let crossed = crossed_loads(p, s);
         // adj(A) applied to the same, in each plane.
         let moment_t_1 = moment_t + c.c11 * crossed * s.shear_of_couple;
         let moment_m_1 = moment_m - c.c11 * crossed * s.shear_of_force;

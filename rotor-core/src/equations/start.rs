@@ -56,12 +56,21 @@ mod formulas {
         (sum / 8.0).sqrt() / slack
     }
 
-    /// Whirl frequency $\omega_1$ at $\Omega_c$ without a root finder, from $\omega_1 + \omega_2 = 2\Omega_c$ and
-    /// $\omega_1\omega_2 = (\beta + \sqrt{\beta^2 + 8(2-\beta)C})/(2(2-\beta))$.
+    /// $\omega_1\omega_2 = (\beta + \sqrt{\beta^2 + 8(2-\beta)C})/(2(2-\beta))$ at $\Omega_c$.
+    pub fn cir_product(c: &Coefficients) -> f64 {
+        (c.beta + cir_root(c)) / (2.0 * (2.0 - c.beta))
+    }
+
+    /// Whirl frequency $\omega_1$ at $\Omega_c$ without a root finder, from $\omega_1 + \omega_2 = 2\Omega_c$ and their product.
     #[generate(value)]
     pub fn cir_omega(c: &Coefficients) -> f64 {
-        let product = (c.beta + cir_root(c)) / (2.0 * (2.0 - c.beta));
         let start = cir_start(c);
-        start + (start.powi(2) - product).sqrt()
+        start + (start.powi(2) - cir_product(c)).sqrt()
+    }
+
+    /// Whirl frequency $\omega_2$ at $\Omega_c$ from the product, because near $\beta = 2$, where $\omega_1$ is nearly
+    /// $2\Omega_c$, the difference has few digits.
+    pub fn cir_partner(c: &Coefficients) -> f64 {
+        cir_product(c) / cir_omega(c)
     }
 }

@@ -35,7 +35,9 @@ pub struct CrackCompliance {
     pub c44: f64,
 }
 
-/// Moment and shear at the crack's section from a unit force and from a unit couple at the disk.
+/// Moment and shear at the crack's section: from a unit force and from a unit couple at the disk, and from a unit reaction of
+/// either support. A force has the reactions $1 - l_d/L$ and $l_d/L$, a couple $-1/L$ and $1/L$; near a support both bend the
+/// shaft alike, and only loads by reactions keep their digits in differences.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SectionLoads {
     /// Bending moment from the unit force, m.
@@ -46,6 +48,14 @@ pub struct SectionLoads {
     pub moment_of_couple: f64,
     /// Shear from the unit couple, 1/m.
     pub shear_of_couple: f64,
+    /// Bending moment from the reaction of the left support, m.
+    pub moment_of_left: f64,
+    /// Shear from the reaction of the left support, dimensionless.
+    pub shear_of_left: f64,
+    /// Bending moment from the reaction of the right support, m.
+    pub moment_of_right: f64,
+    /// Shear from the reaction of the right support, dimensionless.
+    pub shear_of_right: f64,
 }
 
 /// Flexibility of the uncracked shaft at the disk, Eq. (7).
@@ -59,6 +69,10 @@ pub struct ShaftFlexibility {
     pub f44: f64,
     /// $f_{11}f_{44} - f_{14}^2$, 1/N²; of its own, for the difference loses digits near a support.
     pub determinant: f64,
+    /// $(L-l_d)^3/(3EIL^2)$, rad/(N m): with the next one what is left of products of loads and flexibilities.
+    pub of_left: f64,
+    /// $l_d^3/(3EIL^2)$, rad/(N m).
+    pub of_right: f64,
 }
 
 /// Flexibility of the cracked shaft in the axes that turn with it, Eqs. (5), (6).

@@ -35,8 +35,7 @@ mod formulas {
     /// The disk asymmetry that closes the combination region at $\phi = 0$, Eq. (32), as in [`cir_strength()`].
     #[generate(value, columns, chain)]
     pub fn cir_zup_asymmetry(c: &Coefficients) -> f64 {
-        let (omega, speed) = (cir_omega(c), cir_start(c));
-        let omega_bar = 2.0 * speed - omega;
+        let (omega, omega_bar, speed) = (cir_omega(c), cir_partner(c), cir_start(c));
         let (h, h_bar) = (transverse(omega), transverse(omega_bar));
         let crack = coupled_crack_excitation(h, tilting(omega_bar, speed, c), c);
         let crack_bar = coupled_crack_excitation(h_bar, tilting(omega, speed, c), c);

@@ -166,8 +166,8 @@ impl Rotor {
     ) -> Result<(), InputError> {
         let f = equations::shaft_flexibility(&self.parameters);
         let planes = [
-            equations::flexibility_determinant(&f, loads, c.c11, c.c44),
-            equations::flexibility_determinant(&f, loads, c.c22, c.c33),
+            equations::flexibility_determinant(&self.parameters, &f, loads, c.c11, c.c44),
+            equations::flexibility_determinant(&self.parameters, &f, loads, c.c22, c.c33),
         ];
         check(
             &planes.map(|determinant| ("flexibility_determinant", determinant)),

@@ -143,8 +143,8 @@ fn closing_rounding(kind: RegionKind, c: &Coefficients) -> f64 {
 
 /// The depths $\sigma \in (0, 1]$ of the rotor's crack at which the region closes at the crack angle
 /// returned with each, in rising order; empty where there is none. The rotor's own depth and angle do
-/// not matter. The search has 128 cells: of two such depths within 1/128, or one at which the closing
-/// asymmetry only touches the disk's, nothing is seen.
+/// not matter. The search has 128 cells, and finds two such depths within one of them where the closing asymmetry comes nearer to
+/// the disk's there than at the cell's ends.
 ///
 /// # Errors
 /// Where the region exists at no depth.
@@ -166,9 +166,15 @@ pub fn zup_position(rotor: &Rotor, kind: RegionKind) -> Result<Vec<ZeroUnstableP
     let mut grid: Vec<f64> = (1..POSITIONS)
         .map(|i| f64::from(i) / f64::from(POSITIONS))
         .collect();
-    grid.extend([NEAR_SUPPORT, 1.0 - NEAR_SUPPORT]);
+    // Near these the closing asymmetry may change within a part of the disk's distance from a support: the supports, midspan,
+    // the disk and its mirror image, and where the crack's moment from a support's reaction is zero.
+    for special in [0.0, 1.0, 0.5, disk, 1.0 - disk, 0.5 - disk, 1.5 - disk] {
+        let steps = (1..=HALVINGS).map(|count| 0.5_f64.powi(count));
+        grid.extend(steps.flat_map(|step| [special - step, special + step]));
+        grid.push(special);
+    }
     // The loads of a simply supported beam jump where the crack passes the disk.
-    grid.extend([disk.next_down(), disk]);
+    grid.push(disk.next_down());
     grid.retain(|&position| position > 0.0 && position < 1.0);
     grid.sort_by(f64::total_cmp);
     grid.dedup();
@@ -180,11 +186,8 @@ pub fn zup_position(rotor: &Rotor, kind: RegionKind) -> Result<Vec<ZeroUnstableP
 /// Cells of the search in depth and in position.
 const DEPTHS: i32 = 128;
 const POSITIONS: i32 = 128;
-/// The supports themselves are no position of a crack.
-const NEAR_SUPPORT: f64 = 1e-6;
-/// How far from $\pm\Delta_d$ the closing asymmetry of an accepted root may be. Where the crack passes the disk it jumps, and
-/// is far off; at a root found to the last digit it is wrong by rounding times the slope.
-const ACCEPTED: f64 = 1e-9;
+/// How near to a special position samples are: 2⁻³⁰ of the shaft's length, each twice as near as the one before.
+const HALVINGS: i32 = 30;
 /// Roundings of each term of the closing asymmetry: ten in each frequency, and its operations.
 const CLOSING_ROUNDINGS: f64 = 32.0;
 
@@ -230,20 +233,31 @@ fn search(
                 .ok()
                 .map(|(c, closing)| weight(kind, &c) * (closing - target))
         };
-        let sampled: Vec<Option<Sample>> = samples
-            .iter()
-            .map(|sample| {
-                sample.map(|(x, weight, closing)| Sample {
-                    x,
-                    y: weight * (closing - target),
-                })
-            })
-            .collect();
-        for value in roots::sign_changes(&sampled, residual) {
+        let mut sampled: Vec<Option<Sample>> = Vec::with_capacity(samples.len());
+        for sample in &samples {
+            let sample = sample.map(|(x, weight, closing)| Sample {
+                x,
+                y: weight * (closing - target),
+            });
+            // Between neighbouring doubles is no root, but there may be a jump.
+            let before = sampled.last().copied().flatten();
+            if let (Some(before), Some(next)) = (before, sample)
+                && before.x.next_up() == next.x
+            {
+                sampled.push(None);
+            }
+            sampled.push(sample);
+        }
+        for roots::Found {
+            x: value,
+            is_crossing,
+        } in roots::sign_changes(&sampled, residual)
+        {
             let Ok((c, closing)) = at(value) else {
                 continue;
             };
-            if value > 0.0 && (closing - target).abs() <= ACCEPTED {
+            let touches = || (closing - target).abs() <= closing_rounding(kind, &c);
+            if value > 0.0 && (is_crossing || touches()) {
                 points.push(ZeroUnstablePoint {
                     value,
                     crack_angle: zup_angle(kind, &c)?,
