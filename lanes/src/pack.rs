@@ -281,6 +281,21 @@ functions! {
     powf(exponent);
 }
 
+/// What the standard library has not is that of the crate `libm`, number by number.
+impl<S: Simd> Pack<S> {
+    /// Takes the error function.
+    #[inline(always)]
+    pub fn erf(self) -> Self {
+        self.map_rows(|_, number| libm::erf(number))
+    }
+
+    /// Takes 1 less the error function, with all digits where that is small.
+    #[inline(always)]
+    pub fn erfc(self) -> Self {
+        self.map_rows(|_, number| libm::erfc(number))
+    }
+}
+
 impl<S: Simd> fmt::Debug for Pack<S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_tuple("Pack").field(&self.as_slice()).finish()

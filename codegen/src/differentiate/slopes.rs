@@ -43,6 +43,15 @@ fn of_one(graph: &mut Graph, id: ExprId, function: Function, x: ExprId) -> Vec<S
         }
         Function::Sinh => (alone(of(graph, Function::Cosh)), whole(1)),
         Function::Cosh => (alone(of(graph, Function::Sinh)), whole(1)),
+        Function::Erf | Function::Erfc => {
+            let square = graph.power(x, 2);
+            let opposite = graph.negate(square);
+            let bell = graph.apply(Function::Exp, vec![opposite]);
+            let pi = graph.constant(NamedConstant::Pi);
+            let root = graph.sqrt(pi);
+            let sign = if function == Function::Erf { 2 } else { -2 };
+            (Factors::from_slice(&[(bell, 1), (root, -1)]), whole(sign))
+        }
         Function::Sqrt => (Factors::from_slice(&[(id, -1)]), ratio(1, 2)),
         Function::Cbrt => (Factors::from_slice(&[(id, -2)]), ratio(1, 3)),
         Function::Acos => (divisors(graph, function, x), whole(-1)),

@@ -500,6 +500,11 @@ impl<'a> Writer<'a> {
             let operands = operands.iter().map(|operand| self.value(*operand).tokens);
             return Piece::atom(quote!(::lanes::#name(#(#operands),*)));
         }
+        if let (Some(of), Numbers::Single) = (function.row().of_crate, self.numbers) {
+            let of = format_ident!("{of}");
+            let operands = operands.iter().map(|operand| self.value(*operand).tokens);
+            return Piece::atom(quote!(::#of::#name(#(#operands),*)));
+        }
         let mut operands = operands.iter();
         let receiver = operands.next().map(|operand| self.receiver(*operand));
         let rest = operands.map(|operand| self.value(*operand).tokens);

@@ -4,7 +4,7 @@
 //! `differentiate/slopes`, its value in twice the digits in `interpret/double_double` and, where it is of constants, in
 //! `factor/constants`; a method of its name in `lanes`, and its printed form in `latex`.
 
-use std::f64::consts::{LN_2, LN_10};
+use std::f64::consts::{FRAC_2_SQRT_PI, LN_2, LN_10};
 
 /// The elementary functions of the language beyond sums and products.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -87,6 +87,10 @@ pub enum Function {
     AtMost,
     /// `OverSquares(x, y)` is x/(x² + y²), the slope of an angle.
     OverSquares,
+    /// The error function.
+    Erf,
+    /// 1 less the error function, with all digits where that is small.
+    Erfc,
 }
 
 /// How the value of a function comes from its operands in `f64`, with the derivatives, whose signs don't matter, for bounds of
@@ -114,6 +118,8 @@ pub struct Row {
     pub arity: usize,
     /// Whether a formula may call it by the name of its method.
     pub is_called: bool,
+    /// The crate that has it, where the standard library has not.
+    pub of_crate: Option<&'static str>,
     /// Its value.
     pub evaluation: Evaluation,
 }
@@ -124,6 +130,7 @@ const fn row(function: Function, method: &'static str, arity: usize, own: Evalua
         method,
         arity,
         is_called: true,
+        of_crate: None,
         evaluation: own,
     }
 }
@@ -164,6 +171,20 @@ fn slope_of_arc(x: f64) -> f64 {
     ((1.0 - x) * (1.0 + x)).sqrt().recip()
 }
 
+/// A function that the standard library has not: formulas call it by the path of the crate that has it.
+const fn of_crate(row: Row) -> Row {
+    Row {
+        is_called: false,
+        of_crate: Some("libm"),
+        ..row
+    }
+}
+
+/// 2/√π·e^(−x²)
+fn slope_of_erf(x: f64) -> f64 {
+    FRAC_2_SQRT_PI * (-x * x).exp()
+}
+
 /// x/(x² + y²) without the squares, which leave the range of numbers where the quotient does not.
 fn over_squares(x: f64, y: f64) -> f64 {
     if x.abs() < y.abs() {
@@ -176,7 +197,7 @@ fn over_squares(x: f64, y: f64) -> f64 {
 }
 
 /// All functions, each at its place.
-const TABLE: [Row; 39] = [
+const TABLE: [Row; 41] = [
     row(Function::Sqrt, "sqrt", 1, Evaluation::Own),
     one(Function::Sin, "sin", f64::sin, f64::cos),
     one(Function::Cos, "cos", f64::cos, f64::sin),
@@ -254,6 +275,8 @@ const TABLE: [Row; 39] = [
             ],
         )
     },
+    of_crate(one(Function::Erf, "erf", libm::erf, slope_of_erf)),
+    of_crate(one(Function::Erfc, "erfc", libm::erfc, slope_of_erf)),
 ];
 
 impl Function {
@@ -265,6 +288,20 @@ impl Function {
     /// Those that a formula may call by the name of a method.
     pub fn called() -> impl Iterator<Item = &'static Row> {
         TABLE.iter().filter(|row| row.is_called)
+    }
+
+    /// The function of that name in a crate.
+    pub fn of_crate(path: [&str; 2]) -> Option<Self> {
+        let mut rows = TABLE.iter();
+        let [of, name] = path;
+        let row = rows.find(|row| row.of_crate == Some(of) && row.method == name)?;
+        Some(row.function)
+    }
+
+    /// The names of the functions that are of a crate.
+    pub fn of_crate_named(of: &str) -> Vec<&'static str> {
+        let rows = TABLE.iter().filter(|row| row.of_crate == Some(of));
+        rows.map(|row| row.method).collect()
     }
 
     /// Whether it is a choice by a comparison of its first two operands.
@@ -303,7 +340,7 @@ mod tests {
             assert_eq!(row.function as usize, place, "{row:?}");
         }
         // No function comes after the last one.
-        assert_eq!(Function::OverSquares as usize + 1, TABLE.len());
+        assert_eq!(Function::Erfc as usize + 1, TABLE.len());
     }
 
     #[test]

@@ -328,8 +328,9 @@ impl Graph {
             | Function::ExpM1
             | Function::Ln1p
             | Function::Cbrt
+            | Function::Erf
             | Function::OverSquares => sign(0),
-            Function::Acos | Function::Acosh => Sign::NOT_NEGATIVE,
+            Function::Acos | Function::Acosh | Function::Erfc => Sign::NOT_NEGATIVE,
             Function::Hypot => sign(0).squared().plus(sign(1).squared()),
             Function::Floor => sign(0).or_zero(sign(0).positive),
             Function::Ceil => sign(0).or_zero(sign(0).negative),

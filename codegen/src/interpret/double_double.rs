@@ -3,6 +3,7 @@
 //! Sums and products are exact to 2⁻¹⁰⁴ (Dekker 1971, Knuth), elementary functions to some units of 2⁻¹⁰⁰. The range is that of
 //! `f64`, so that this is for numbers of everyday sizes.
 
+mod error_function;
 mod functions;
 
 use super::{Number, constant_value};

@@ -365,6 +365,12 @@ impl<'a> Writer<'a> {
                     _ => unsupported(call),
                 }
             }
+            ([.., name], None) if module.imports.of_crate(&path.path).is_some() => {
+                let arguments = self.arguments(call)?;
+                Ok(Piece::atom(
+                    format!("\\operatorname{{{name}}}") + &arguments,
+                ))
+            }
             ([name], None) => {
                 let arguments = self.arguments(call)?;
                 Ok(Piece::atom(self.names.symbols.latex(name) + &arguments))

@@ -258,3 +258,9 @@ fn tables_are_checked() {
         );
     }
 }
+
+#[test]
+fn functions_of_crates_stand_by_their_names() {
+    let source = "pub fn f(x: f64) -> f64 { 0.5 * libm::erfc(-x) }";
+    assert_eq!(latex(source), r"f(x) = 0.5 \operatorname{erfc}(-x)");
+}

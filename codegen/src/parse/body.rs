@@ -5,6 +5,7 @@ mod branches;
 mod calls;
 mod chains;
 mod choices;
+mod crates;
 mod iterators;
 mod loops;
 mod methods;

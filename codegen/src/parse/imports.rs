@@ -3,6 +3,7 @@
 use syn::{ItemUse, Path, UseTree, Visibility};
 
 use super::literal::CONSTANTS;
+use crate::graph::Function;
 
 /// Where the constants are.
 const HOMES: [[&str; 3]; 2] = [["std", "f64", "consts"], ["core", "f64", "consts"]];
@@ -100,6 +101,20 @@ impl Imports {
             .iter()
             .any(|known| home == known)
             .then(|| name.clone())
+    }
+
+    /// The function of another crate that a path in the module stands for.
+    pub(crate) fn of_crate(&self, path: &Path) -> Option<Function> {
+        let segments = path.segments.iter();
+        let segments: Vec<String> = segments.map(|part| part.ident.to_string()).collect();
+        let imported = match segments.as_slice() {
+            [name] => self.paths_of(name, false).next()?.to_vec(),
+            _ => segments,
+        };
+        match imported.as_slice() {
+            [of, name] => Function::of_crate([of, name]),
+            _ => None,
+        }
     }
 
     fn imports_all_constants(&self) -> bool {

@@ -50,7 +50,9 @@ const ALIASES: [(&str, &str); 30] = [
 ];
 
 /// Methods that people write and formulas don't have, with what to write instead.
-const INSTEAD: [(&str, &str); 9] = [
+const INSTEAD: [(&str, &str); 11] = [
+    ("erf", "write `libm::erf(x)`, with the crate libm"),
+    ("erfc", "write `libm::erfc(x)`, with the crate libm"),
     ("square", "write `x.powi(2)`"),
     ("sqr", "a square is `powi(2)`, a square root `sqrt()`"),
     ("cube", "write `x.powi(3)`"),
@@ -139,8 +141,6 @@ mod tests {
             "coth",
             "asec",
             "acoth",
-            "erf",
-            "erfc",
             "gamma",
             "ln_gamma",
             "sqrtpi",

@@ -7,7 +7,7 @@ mod formulas {
         x * x
     }
 
-    #[generate("value", values, jacobian)]
+    #[generate("value", values, laplacian)]
     pub fn other_forms(x: f64) -> f64 {
         x * x
     }

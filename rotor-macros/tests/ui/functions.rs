@@ -36,6 +36,10 @@ mod formulas {
         }
     }
 
+    pub fn of_crates(x: f64) -> f64 {
+        x.erf() + libm::erf(x, x) + libm::tgamma(x) + libm::erfc([x])
+    }
+
     pub fn numbers(x: f64) -> f64 {
         const COUNT: usize = 3;
         let single = x as f32;

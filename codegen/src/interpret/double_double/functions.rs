@@ -40,6 +40,7 @@ impl DoubleDouble {
             Function::Cbrt => self.cbrt(),
             Function::Log2 => inverse_of(NamedConstant::Ln2),
             Function::Log10 => inverse_of(NamedConstant::Ln10),
+            Function::Erf | Function::Erfc => self.error_function(function, nearest),
             Function::Exp2 => self.times(Self::constant(NamedConstant::Ln2)).exp(),
             _ if self.high < 0.0 && function != Function::Cosh => {
                 -(-self).hyperbolic(function, -nearest)

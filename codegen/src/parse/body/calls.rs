@@ -53,6 +53,9 @@ impl<'m> Reader<'m> {
             {
                 return self.method_as_function(&last.ident, &call.args, call.span(), scope);
             }
+            if let Some(function) = module.imports.of_crate(&path.path) {
+                return self.function_of_crate(function, call, scope);
+            }
             self.report_unknown_function(&path.path);
             self.all(call.args.iter(), scope);
             return None;
@@ -140,6 +143,9 @@ impl<'m> Reader<'m> {
                 format!("`{}` is in each of {}", names.join("::"), places.join(", ")),
                 "import the one that is meant by its name, or call it by its path",
             );
+            return;
+        }
+        if self.report_unknown_of_crate(&names, span) {
             return;
         }
         let (message, known) = match (names.as_slice(), self.module.module_of(&names)) {
