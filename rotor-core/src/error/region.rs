@@ -68,7 +68,7 @@ pub enum RegionError {
         kind: RegionKind,
     },
     /// A number leaves the range of double precision.
-    #[error("{quantity} of the {} comes out as {value}; it must be a finite number", .kind.description())]
+    #[error("{quantity} of the {} comes out as {value} in double precision; it must be a finite number", .kind.description())]
     NotFinite {
         /// The region asked for.
         kind: RegionKind,

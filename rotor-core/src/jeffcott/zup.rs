@@ -233,21 +233,7 @@ fn search(
                 .ok()
                 .map(|(c, closing)| weight(kind, &c) * (closing - target))
         };
-        let mut sampled: Vec<Option<Sample>> = Vec::with_capacity(samples.len());
-        for sample in &samples {
-            let sample = sample.map(|(x, weight, closing)| Sample {
-                x,
-                y: weight * (closing - target),
-            });
-            // Between neighbouring doubles is no root, but there may be a jump.
-            let before = sampled.last().copied().flatten();
-            if let (Some(before), Some(next)) = (before, sample)
-                && before.x.next_up() == next.x
-            {
-                sampled.push(None);
-            }
-            sampled.push(sample);
-        }
+        let sampled = with_gaps(&samples, target);
         for roots::Found {
             x: value,
             is_crossing,
@@ -267,6 +253,25 @@ fn search(
     }
     points.sort_by(|a, b| a.value.total_cmp(&b.value));
     Ok(points)
+}
+
+/// What is to be zero at the samples, each of them the variable, its weight and the closing asymmetry, with a gap between
+/// neighbouring doubles: no root is between these, but there may be a jump.
+fn with_gaps(samples: &[Option<(f64, f64, f64)>], target: f64) -> Vec<Option<Sample>> {
+    let mut gapped: Vec<Option<Sample>> = Vec::with_capacity(samples.len());
+    for sample in samples {
+        let sample = sample.map(|(x, weight, closing)| Sample {
+            x,
+            y: weight * (closing - target),
+        });
+        if let (Some(Some(before)), Some(next)) = (gapped.last(), sample)
+            && before.x.next_up() == next.x
+        {
+            gapped.push(None);
+        }
+        gapped.push(sample);
+    }
+    gapped
 }
 
 /// What makes the closing asymmetry continuous: that of a combination region has a pole where
