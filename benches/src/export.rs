@@ -5,7 +5,7 @@ use std::fmt::Write;
 use codegen::emit::scalar::Form;
 use codegen::expand::derive;
 use codegen::interpret;
-use codegen::parse::module::ParameterKind;
+use codegen::parse::shape::Shape;
 use codegen::show::ShowError;
 use rotor_core::input::RotorParameters;
 use rotor_core::jeffcott::rotor::Rotor;
@@ -78,10 +78,10 @@ fn description(field: &Field, name: &str) -> Result<Value, ExportError> {
         return Err(no_number());
     }
     let parameters = counted.function.parameters.iter().map(|parameter| {
-        let kind = match parameter.kind {
-            ParameterKind::Number => json!("number"),
-            ParameterKind::Array(length) => json!(length),
-            ParameterKind::Struct => json!("struct"),
+        let kind = match &parameter.shape {
+            Shape::Number => json!("number"),
+            Shape::Array(_, length) => json!(length),
+            Shape::Struct(..) => json!("struct"),
         };
         json!({ "name": parameter.name.to_string(), "kind": kind })
     });

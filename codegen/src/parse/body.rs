@@ -61,8 +61,8 @@ pub struct Reader<'m> {
     pub partials: BTreeSet<(String, String)>,
     /// The numbers of parameters that the source names, whatever becomes of them.
     pub named: BTreeSet<SymbolId>,
-    /// The functions whose calls are being followed, by where they are.
-    callers: Vec<*const Function>,
+    /// The functions whose calls are being followed, by where they are kept.
+    callers: BTreeSet<*const Function>,
     /// How many statements were followed.
     statements: usize,
     /// The outermost loop that is being followed.
@@ -89,7 +89,7 @@ impl<'m> Reader<'m> {
             integrals: 0,
             partials: BTreeSet::new(),
             named: BTreeSet::new(),
-            callers: Vec::new(),
+            callers: BTreeSet::new(),
             statements: 0,
             outermost_loop: None,
             is_beyond: false,
@@ -228,9 +228,9 @@ impl<'m> Reader<'m> {
             self.diagnostics.error_with_hint(span, message, hint);
             return None;
         }
-        self.callers.push(callee);
+        self.callers.insert(callee);
         let result = self.followed(function, arguments);
-        self.callers.pop();
+        self.callers.remove(&callee);
         result
     }
 

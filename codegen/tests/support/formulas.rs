@@ -82,7 +82,7 @@ impl Random {
             Self::Quotient(a, b) => {
                 format!("({}) / ({})", r(a), other_than_zero(r(b)))
             }
-            Self::Negative(a) => format!("-({})", other_than_zero(r(a))),
+            Self::Negative(a) => format!("-({})", r(a)),
             Self::Power(a, exponent) => format!("({}).powi({exponent})", r(a)),
             Self::Function(function, a) => format!("({}).{}()", r(a), FUNCTIONS[*function]),
             Self::Extreme(larger, a, b) => format!(
@@ -101,9 +101,9 @@ impl Random {
     }
 }
 
-/// The expression, or 1 where it is the literal 0: a division by that and its negative are refused.
+/// The expression, or 1 where it is the literal 0, by which a division is refused.
 fn other_than_zero(expression: String) -> String {
-    if expression == "0.0" {
+    if expression.trim_matches(['-', '(', ')']) == "0.0" {
         "1.0".to_owned()
     } else {
         expression

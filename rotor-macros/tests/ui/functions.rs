@@ -11,7 +11,7 @@ mod formulas {
     }
 
     pub fn zeros(x: f64) -> f64 {
-        x.max(-0.0) + x / 0.0 + 1.0 / -(0.0)
+        x / 0.0 + 1.0 / -(0.0)
     }
 
     pub fn sinc(x: f64) -> f64 {

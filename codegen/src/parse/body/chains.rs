@@ -108,10 +108,6 @@ impl<'m> Reader<'m> {
                 Value::Whole(value) => Some(Value::Whole(-value)),
                 value => {
                     let operand = self.number_of(value, &unary.expr)?;
-                    if is_zero(&unary.expr) {
-                        let hint = "a zero has no sign in a formula: write `0.0`";
-                        return self.unsupported(unary.span(), "a negative zero", hint);
-                    }
                     Some(Value::Number(self.graph.negate(operand)))
                 }
             },
@@ -193,9 +189,10 @@ fn is_product(operator: &BinOp) -> bool {
     matches!(operator, BinOp::Mul(_) | BinOp::Div(_))
 }
 
-/// Whether an expression is the literal 0, in parentheses or not.
+/// Whether an expression is the literal 0, in parentheses or not, with a sign or without one.
 fn is_zero(expression: &Expr) -> bool {
     match expression {
+        Expr::Unary(inner) if matches!(inner.op, UnOp::Neg(_)) => is_zero(&inner.expr),
         Expr::Paren(inner) => is_zero(&inner.expr),
         Expr::Group(inner) => is_zero(&inner.expr),
         Expr::Lit(literal) => match &literal.lit {
