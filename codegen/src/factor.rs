@@ -31,7 +31,7 @@ use crate::graph::Graph;
 use crate::outputs::{Held, Outputs};
 use crate::parallel::{SEARCHED, both};
 use crate::rewrite;
-use forms::{held_forms, lowered_forms, merged_forms};
+use forms::{derived_one_by_one, held_forms, lowered_forms, merged_forms};
 use passes::{Pass, Passes};
 use rounding::{Decisive, Fault, Reference, Written};
 use search::Search;
@@ -112,7 +112,14 @@ pub fn minimise_with(
             }
         }
     }
-    as_written(written, fault.unwrap_or(Fault::TooLong))
+    let found = as_written(written, fault.unwrap_or(Fault::TooLong));
+    let gathered = derived_one_by_one(graph, outputs)
+        .filter(|circuit| circuit.cost().weight() < found.circuit.cost().weight())
+        .filter(|circuit| reference.fault(graph, circuit).is_none());
+    gathered.map_or(found, |circuit| Found {
+        circuit,
+        as_written: None,
+    })
 }
 
 /// The author's form, with partials in the reverse mode where that takes fewer operations and is as right as dual numbers are.

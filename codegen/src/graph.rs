@@ -241,6 +241,14 @@ impl Graph {
         }
     }
 
+    /// A graph of the same symbols whose operations stay as they are written.
+    pub fn as_written_with_symbols_of(other: &Self) -> Self {
+        Self {
+            is_as_written: true,
+            ..Self::with_symbols_of(other)
+        }
+    }
+
     /// Whether operations stay as they are written.
     pub fn is_as_written(&self) -> bool {
         self.is_as_written

@@ -80,6 +80,40 @@ fn forward(graph: &Graph, outputs: &Outputs) -> Option<(Graph, Vec<ExprId>)> {
     Some((graph, all))
 }
 
+/// The values as they are gathered, with partials of their operations one by one, as dual numbers have them: they take more
+/// operations than other forms, but what is in between stays in the range of numbers where the author's does.
+pub(super) fn derived_one_by_one(graph: &Graph, outputs: &Outputs) -> Option<Circuit> {
+    if outputs.gradients.is_empty() || graph.reachable(&outputs.all()).len() > SMALL {
+        return None;
+    }
+    let mut written = Graph::as_written_with_symbols_of(graph);
+    let values = graph.rebuild(&mut written, &outputs.values, |_, _, image| image);
+    let mut all = Outputs {
+        values,
+        ..outputs.clone()
+    };
+    let forward = differentiate::gradient_forward;
+    for (value, gradient) in all.values.iter().zip(&mut all.gradients) {
+        *gradient = forward(&mut written, *value, &outputs.by);
+    }
+    for (gradient, triangle) in all.gradients.iter().zip(&mut all.hessians) {
+        let rows = differentiate::hessian(&mut written, gradient, &outputs.by, forward);
+        let rows = rows.into_iter().enumerate();
+        *triangle = rows
+            .flat_map(|(row, entries)| entries.into_iter().skip(row))
+            .collect();
+    }
+    for partials in all.gradients.iter_mut().chain(&mut all.hessians) {
+        *partials = differentiate::corners::with_sides(&mut written, partials);
+    }
+    for (number, gathered) in all.all().into_iter().zip(outputs.all()) {
+        if let Some(name) = graph.suggested_name(gathered) {
+            written.suggest_name(number, name);
+        }
+    }
+    Some(super::written::circuit(&written, &all.all()))
+}
+
 /// The most binary digits of a constant in a circuit: twice those of the largest and the smallest `f64`.
 const LONGEST_CONSTANT: u64 = 2200;
 

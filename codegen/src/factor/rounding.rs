@@ -3,7 +3,7 @@
 //! Forms that are equal on paper differ in floating point: $(x-y)(x+y)$ keeps the digits that $x^2-y^2$ loses, $xy/(x+y)$ leaves
 //! the range of numbers where $1/(1/x+1/y)$ does not. The author's form, evaluated operation by operation as Rust does, is what
 //! every other form is held against, derivatives against those of the author's operations one by one, as dual numbers have
-//! them. A form is taken only where it is finite wherever the author's is and its error is no larger than a stated multiple of
+//! them (or, where the sizes of inputs are stated, the reverse mode). A form is taken only where it is finite wherever the author's is and its error is no larger than a stated multiple of
 //! the author's: at points with zeros, infinities, and numbers far from 1, and where operations of the form's own leave the
 //! range of numbers ([`probes`]), by running bounds of the errors ([`bounded`](super::bounded)); and, where bounds say nothing
 //! because rounding errors cancel, by the errors themselves, measured in twice the digits. There each form also has to be the
@@ -337,7 +337,7 @@ fn known(author: &Author, points: &[Vec<f64>]) -> Vec<Known> {
         let mut memory = Vec::new();
         let known = packs.iter().map(|symbols| Known {
             symbols: symbols.clone(),
-            outputs: author.bounds.at_with(symbols, &mut memory),
+            outputs: author.bounds_at(symbols, &mut memory),
         });
         known.collect::<Vec<_>>()
     });
