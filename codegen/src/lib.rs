@@ -217,7 +217,7 @@
 //! - **Lengths.** Derivatives of `hypot` and `atan2` stay in the range of numbers where squares do not; at the origin they are
 //!   NaN, where there are none. Second derivatives of `hypot` by one of its numbers lose digits where the other is much smaller.
 //! - **Signs of zero and NaN.** A form may be 0 where the author's is −0, and finite where the author's is NaN: x − x and 0·x
-//!   are 0, unless a `min` or `max` takes them. The literal `-0.0` is 0.
+//!   are 0, unless a `min`, a `max` or a comparison takes them. The literal `-0.0` is 0; a division by the literal 0 is refused.
 //!   What jumps with the sign of a computed zero, `copysign`, `signum`, `atan2` on the negative axis, and the infinity that
 //!   a division by one gives, may be on the other side.
 //! - **Error function.** `erf` and `erfc` are those of the crate `libm` (the series and rational functions of FreeBSD's msun), the
